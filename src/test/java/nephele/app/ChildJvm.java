@@ -26,6 +26,8 @@ public record ChildJvm(int exitCode, String out, String err) {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-cp",
                 absoluteClassPath(),
+                "-XX:TieredStopAtLevel=1", // it lives for seconds
+                "-XX:+UseSerialGC",
                 "-Djoml.nounsafe=true"));
         command.addAll(List.of(words));
         Path out = folder.resolve("child.out");

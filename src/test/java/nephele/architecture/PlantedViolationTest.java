@@ -204,6 +204,7 @@ class PlantedViolationTest {
                 "TESTS_ARE_NAMED_BY_TIER|src/test/EmptyTest.java|class EmptyTest {}",
                 "TESTS_ARE_NAMED_BY_TIER|src/test/LightTest.java|@Test void f() { OffscreenContext c; }",
                 "TESTS_ARE_NAMED_BY_TIER|src/test/ViewTest.java|import javax.%swing.JFrame; @Test void f() {}",
+                "TESTS_ARE_NAMED_BY_TIER|src/test/ViewSwingTest.java|@Test void f() {}",
                 "CONCURRENT_TESTS_USE_NO_OPENGL|src/test/LightGlTest.java|@Execution(ExecutionMode.CONCURRENT)",
                 "TESTS_THAT_CHANGE_THE_PROCESS_ARE_ISOLATED|src/test/ATest.java|Locale.set%Default(null);",
                 "TESTS_THAT_CHANGE_THE_PROCESS_ARE_ISOLATED|src/test/ATest.java|System.set%Out(null);",

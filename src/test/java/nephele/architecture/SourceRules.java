@@ -52,12 +52,12 @@ enum SourceRules {
             return file.isTest() ? tierViolations(file) : List.of();
         }
     },
-    /** A class with an execution mode of its own runs on a thread beside that of the OpenGL tests. */
+    /** The tests of a class with this mode run on several threads, and an OpenGL context belongs to one. */
     CONCURRENT_TESTS_USE_NO_OPENGL {
         @Override
         List<String> violations(SourceFile file) {
             boolean isPure = !file.simpleName().matches(".*(Gl|Swing)Test");
-            return isPure ? List.of() : file.matches(Pattern.compile("@Execution\\b.*"));
+            return isPure ? List.of() : file.matches(Pattern.compile("@Execution\\b.*CONCURRENT.*"));
         }
     },
     /** A change of the process would be visible to the tests on the other thread. */
@@ -99,6 +99,9 @@ enum SourceRules {
                 .matcher(file.text());
         if (swing.find() && !name.endsWith("SwingTest")) {
             wrong.add(file.path() + ": opens windows, so its name must end in SwingTest");
+        }
+        if (name.endsWith("SwingTest") && !file.text().contains("@Execution(ExecutionMode.SAME_THREAD)")) {
+            wrong.add(file.path() + ": shares Swing's event thread, so it must be marked SAME_THREAD");
         }
         return wrong;
     }

@@ -27,7 +27,7 @@ final class SkyMutants {
             new Mutant(
                     CLOUD,
                     "the mean of an exponential has a wrong third term of its series",
-                    ENGINE + "cloud/ExponentialMean.java",
+                    ENGINE + "cloud/TwoStreamSlab.java",
                     "x / 3 * (1 - x / 4)",
                     "x / 4 * (1 - x / 4)",
                     "ExponentialMeanTest"),

@@ -71,7 +71,7 @@ final class WeatherMutants {
                     MODEL,
                     "terrain begins to morph later in the shader than in Java",
                     SHADERS + "include/terrain-detail.glsl",
-                    "MORPH_START = 0.6",
+                    "MORPH_START = java(math.heightfield.DetailRanges.MORPH_START)",
                     "MORPH_START = 0.7",
                     "ShaderConstantsTest"));
 

@@ -39,7 +39,7 @@ class TextEncodingsTest {
             "JvmVariant.java",
             "ReplayProcess.java",
             "EditorOpenSaveProof.java",
-            "SeenLevels.java");
+            "ComparedLevel.java");
 
     @TempDir
     static Path folder;

@@ -31,11 +31,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * A player with an empty home begins at the title, changes a setting, finishes a level, goes on to the next one, leaves,
  * and later continues: with a real window, real keys and a real pointer.
  */
+@Execution(ExecutionMode.SAME_THREAD)
 class CampaignSwingTest {
     private static final long LONGEST_SECONDS = 60;
     private static final String PROGRESS = ".local/state/nephele/progress.json";
@@ -81,6 +84,8 @@ class CampaignSwingTest {
         var command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx512m",
+                "-XX:TieredStopAtLevel=1", // it lives for seconds
+                "-XX:+UseSerialGC",
                 "-Djoml.nounsafe=true",
                 "-cp",
                 classPath()));

@@ -20,7 +20,7 @@ class EventTextTest {
         for (Language language : Language.values()) {
             Set<String> texts = new HashSet<>();
             for (Refusal reason : Refusal.values()) {
-                texts.add(EventText.of(new TickEvent.PortalRefused(Colour.FIRST, reason, Vec3.ZERO), language)
+                texts.add(Message.ofEvent(new TickEvent.PortalRefused(Colour.FIRST, reason, Vec3.ZERO), language)
                         .orElseThrow());
             }
             assertEquals(Refusal.values().length, texts.size());
@@ -33,14 +33,14 @@ class EventTextTest {
         var refused = new TickEvent.PortalRefused(Colour.FIRST, Refusal.NOT_FLAT, Vec3.ZERO, 0.01001);
         assertEquals(
                 "No portal: the ground is uneven by 11 mm here, allowed are 10",
-                EventText.of(refused, Language.EN).orElseThrow());
+                Message.ofEvent(refused, Language.EN).orElseThrow());
     }
 
     @Test
     void whatWentWellNeedsNoWords() {
-        assertEquals(Optional.empty(), EventText.of(new TickEvent.PortalOpened(Colour.SECOND, 1), Language.EN));
-        assertEquals(Optional.empty(), EventText.of(new Handled(Handled.Kind.PICKED_UP, 0), Language.EN));
-        assertTrue(EventText.of(new Handled(Handled.Kind.TOO_HEAVY, 0), Language.EN)
+        assertEquals(Optional.empty(), Message.ofEvent(new TickEvent.PortalOpened(Colour.SECOND, 1), Language.EN));
+        assertEquals(Optional.empty(), Message.ofEvent(new Handled(Handled.Kind.PICKED_UP, 0), Language.EN));
+        assertTrue(Message.ofEvent(new Handled(Handled.Kind.TOO_HEAVY, 0), Language.EN)
                 .isPresent());
     }
 }

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class GameStageTest {
     @Test
     void aNormalEveningIsAllowed() {
-        var machine = new StageMachine();
+        var machine = new StageMachine(null);
         for (var stage : new GameStage[] {
             GameStage.STARTING,
             GameStage.RUNNING,
@@ -70,7 +70,7 @@ class GameStageTest {
     }
 
     private static StageMachine reached(GameStage stage) {
-        var machine = new StageMachine();
+        var machine = new StageMachine(null);
         var way =
                 switch (stage) {
                     case INITIALISING -> new GameStage[0];

@@ -17,8 +17,11 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The window works on a display of its own: Xvfb is started here, whatever display the machine has. */
+@Execution(ExecutionMode.SAME_THREAD)
 class GameWindowSwingTest {
     private static final String LOADED_CLASSES = "-Xlog:class+load:file=loaded.txt";
 

@@ -11,11 +11,11 @@ import org.junit.jupiter.api.Test;
 class LoadProblemTest {
     @Test
     void graphicsAndAssetsAreToldInOneLineAndABugIsNot() {
-        assertEquals(Optional.of("too large"), LoadProblem.line(new GlException("too large\nby far")));
-        assertEquals(Optional.of("no float targets"), LoadProblem.line(new GlUnavailableException("no float targets")));
+        assertEquals(Optional.of("too large"), Loading.problemLine(new GlException("too large\nby far")));
+        assertEquals(Optional.of("no float targets"), Loading.problemLine(new GlUnavailableException("no float targets")));
         assertEquals(
                 Optional.of("a.png: is cut; mend it"),
-                LoadProblem.line(new AssetException("a.png", "is cut", "mend it")));
-        assertEquals(Optional.empty(), LoadProblem.line(new IllegalStateException("a bug")));
+                Loading.problemLine(new AssetException("a.png", "is cut", "mend it")));
+        assertEquals(Optional.empty(), Loading.problemLine(new IllegalStateException("a bug")));
     }
 }

@@ -65,7 +65,7 @@ class PlayRequestTest {
     @Test
     void onlyWhatIsPlayedByHandFromTheStartIsRanked() {
         var replay = new Replay("a.json", SimSettings.DEFAULT, null, List.of());
-        var usual = ChosenSettings.simulation(files.settings());
+        var usual = files.settings().simulation();
         assertTrue(request(null, null, null).isRanked());
         assertTrue(request(new QualityChoice("low", Map.of("samples", "2")), null, null)
                 .isRanked());
@@ -89,6 +89,6 @@ class PlayRequestTest {
     /** 90° at 16:9 are 58.7° vertically. */
     @Test
     void theFieldOfViewIsThatOfAWideScreen() {
-        assertEquals(58.716, ChosenSettings.verticalFovDegrees(files.settings()), 1e-3);
+        assertEquals(58.716, files.settings().verticalFovDegrees(), 1e-3);
     }
 }

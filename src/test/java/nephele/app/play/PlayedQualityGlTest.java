@@ -32,12 +32,14 @@ import nephele.host.named.LevelName;
 import nephele.host.named.Viewpoints;
 import nephele.host.terminal.Terminal;
 import nephele.host.userfile.UserFolders;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** `render --quality Q` draws what `play` draws at that quality, its share of the pixels included, in every format. */
+@Order(1) // one of the longest
 class PlayedQualityGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;

@@ -12,8 +12,11 @@ import nephele.app.Main;
 import nephele.app.VirtualDisplay;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The viewer works in a real window, and without a display. */
+@Execution(ExecutionMode.SAME_THREAD)
 class SceneViewerSwingTest {
     @TempDir
     Path folder;

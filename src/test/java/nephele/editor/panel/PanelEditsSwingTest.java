@@ -26,10 +26,13 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The panels over a level of the game, without a window. */
+@Execution(ExecutionMode.SAME_THREAD)
 class PanelEditsSwingTest {
     private record NoAssets() implements AssetSource {
         @Override

@@ -10,10 +10,13 @@ import java.util.List;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import nephele.editor.action.ScriptedSession;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A text that is no number is quoted in the message, which does not widen the panel. */
+@Execution(ExecutionMode.SAME_THREAD)
 class RefusedNumberSwingTest {
     private static <T extends Component> List<T> all(Container parent, Class<T> kind) {
         List<T> found = new ArrayList<>();

@@ -30,8 +30,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The waiting game on a display of its own, played with real keys. */
+@Execution(ExecutionMode.SAME_THREAD)
 class WarmGameSwingTest {
     private static final long LONGEST_SECONDS = 60;
 

@@ -14,8 +14,11 @@ import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.window.WindowLook;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A closed window leaves nothing that follows its session. */
+@Execution(ExecutionMode.SAME_THREAD)
 class EndedListeningSwingTest {
     private final EditorSession session = session();
 

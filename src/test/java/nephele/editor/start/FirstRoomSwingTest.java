@@ -12,8 +12,11 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The first room, from an empty level to a play of it, by mouse and keys alone. */
+@Execution(ExecutionMode.SAME_THREAD)
 class FirstRoomSwingTest {
     private static final List<String> STEPS = List.of(
             "01-guide",

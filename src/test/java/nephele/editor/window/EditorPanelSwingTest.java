@@ -51,10 +51,13 @@ import nephele.workshop.prove.editor.CutTexts;
 import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The whole editor without a display: the tests' JVM is headless. */
+@Execution(ExecutionMode.SAME_THREAD)
 class EditorPanelSwingTest {
     private static final int TOP_PANE = 1;
 

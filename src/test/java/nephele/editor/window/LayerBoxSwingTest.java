@@ -30,8 +30,11 @@ import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The option bar offers the layers of the terrain while its tool is in use. */
+@Execution(ExecutionMode.SAME_THREAD)
 class LayerBoxSwingTest {
     private EditorSession session;
     private EditorPanel panel;

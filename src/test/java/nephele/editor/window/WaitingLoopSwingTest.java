@@ -17,8 +17,11 @@ import java.util.concurrent.CompletableFuture;
 import javax.swing.JLabel;
 import nephele.editor.document.BackgroundReading;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Swing's thread while it waits for a file. */
+@Execution(ExecutionMode.SAME_THREAD)
 class WaitingLoopSwingTest {
     private final List<String> events = Collections.synchronizedList(new ArrayList<>());
     private final JLabel label = new JLabel();

@@ -13,19 +13,19 @@ class ExponentialMeanTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-300, 1e-17, 1e-8, 1e-6, 9.99e-4, 1.01e-3, 0.1, 1, 10})
     void theMeanHasTwelveDigits(double x) {
-        assertEquals(exact(x), ExponentialMean.of(x), 2e-12 * exact(x));
+        assertEquals(exact(x), TwoStreamSlab.exponentialMean(x), 2e-12 * exact(x));
     }
 
     @Test
     void seriesAndQuotientMeet() {
-        double at = ExponentialMean.SERIES_BELOW;
-        assertEquals(ExponentialMean.of(Math.nextDown(at)), ExponentialMean.of(at), 1e-12);
+        double at = TwoStreamSlab.SERIES_BELOW;
+        assertEquals(TwoStreamSlab.exponentialMean(Math.nextDown(at)), TwoStreamSlab.exponentialMean(at), 1e-12);
     }
 
     @Test
     void aDeepLayerHasOneOverItsDepth() {
-        assertEquals(1e-4, ExponentialMean.of(1e4));
-        assertEquals(0, ExponentialMean.of(Double.POSITIVE_INFINITY));
+        assertEquals(1e-4, TwoStreamSlab.exponentialMean(1e4));
+        assertEquals(0, TwoStreamSlab.exponentialMean(Double.POSITIVE_INFINITY));
     }
 
     /** Sums Σ (−x)ⁿ/(n+1)! with 60 digits. */

@@ -3,6 +3,7 @@ package nephele.engine.level;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Locale;
+import java.util.stream.Stream;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
@@ -21,13 +22,12 @@ class LevelRoundTripTest {
         try {
             Locale.setDefault(Locale.forLanguageTag(tag));
             RandomLevels levels = new RandomLevels(tag.hashCode());
-            for (int i = 0; i < 120; i++) {
-                Level level = levels.next();
+            Stream.generate(levels::next).limit(120).toList().parallelStream().forEach(level -> {
                 String text = LevelJson.write(level);
                 Level again = LevelJsonTest.read(text);
                 assertEquals(level, again);
                 assertEquals(text, LevelJson.write(again));
-            }
+            });
         } finally {
             Locale.setDefault(before);
         }

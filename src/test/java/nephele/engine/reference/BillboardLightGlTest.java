@@ -17,6 +17,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.Offscreen;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,6 +25,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Light that varies over a large or near billboard is where it should be, not where two triangles put it. */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
+@Order(1) // one of the longest
 class BillboardLightGlTest {
     private static final int SIZE = 48;
     private static final Vec3 EYE = new Vec3(0, 1, 3);

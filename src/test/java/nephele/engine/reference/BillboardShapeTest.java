@@ -18,7 +18,7 @@ import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -102,7 +102,7 @@ class BillboardShapeTest {
                     traced.sight(new Pinhole(EYE, new Basis(view.right(), view.up(), view.back()), 1, 1, 0.05, 1000)));
             double drawn = mean(offscreen.radiance(level, assets, view), within);
             var settings = new TraceSettings(SIZE, SIZE, 4, 1, 2);
-            double exact = mean(ReferencePicture.trace(traced, PinholeViews.of(view), settings, done -> {}), within);
+            double exact = mean(ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, done -> {}), within);
             assertEquals(exact, drawn, 0.2 * exact + 0.004);
         }
     }

@@ -22,7 +22,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -122,7 +122,7 @@ class FogGlTest {
             float[] drawn = offscreen.radiance(level, NoFiles.AT_ALL, view);
             var twin = TracedLevel.of(PlacedLevel.of(level, NoFiles.AT_ALL), ColourDecoding.SRGB);
             float[] traced = ReferencePicture.trace(
-                    twin, PinholeViews.of(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
+                    twin, TracedPictures.pinhole(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
             int differing = 0;
             for (int i = 0; i < drawn.length; i++) {
                 differing += Math.abs(drawn[i] - traced[i]) > 0.004 + 0.004 * traced[i] ? 1 : 0;

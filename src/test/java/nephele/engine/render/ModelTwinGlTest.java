@@ -18,7 +18,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -100,7 +100,7 @@ class ModelTwinGlTest {
             TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, ASSETS), ColourDecoding.SRGB);
             int samples = level.environment().ambient() == null ? 48 : 1;
             TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-            return new float[][] {drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {})};
+            return new float[][] {drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {})};
         }
     }
 }

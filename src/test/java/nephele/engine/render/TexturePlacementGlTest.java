@@ -25,7 +25,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 
 /** Pictures that are placed on faces are drawn as they are traced. */
@@ -147,7 +147,7 @@ class TexturePlacementGlTest {
     private static float[] traced(Level level, AssetSource assets, View view, int samples) {
         TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
         TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-        return ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {});
+        return ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {});
     }
 
     private static int seen(float[] picture) {

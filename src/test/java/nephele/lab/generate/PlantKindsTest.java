@@ -103,7 +103,7 @@ class PlantKindsTest {
                 .mapToObj(i -> dice.inBall().mul(3).add(0, 4, 0))
                 .toList();
         new SpaceColonisation(0.4, 6, 0.8, 0.1).grow(skeleton, space);
-        List<Clump> lobes = Lobes.atTips(skeleton, at -> new Clump(at, 1, 0.8));
+        List<Clump> lobes = LeafyPlants.lobesAtTips(skeleton, at -> new Clump(at, 1, 0.8));
         assertTrue(lobes.size() > 5 && skeleton.tips().size() >= lobes.size());
         for (int tip : skeleton.tips()) {
             assertTrue(lobes.stream().anyMatch(lobe -> lobe.depth(skeleton.point(tip)) <= 0.75));

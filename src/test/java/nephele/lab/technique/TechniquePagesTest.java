@@ -61,7 +61,7 @@ class TechniquePagesTest {
                 row(CloudTechnique.VOLUME, 0.3, 5, 2),
                 row(CloudTechnique.VOLUME, 0.3, 5, 4),
                 row(CloudTechnique.VOLUME, 40, 30, 7)));
-        Document page = parsed(OpeningTable.html(table));
+        Document page = parsed(CloudPages.opening(table));
         var rows = page.getElementsByTagName("tr");
         assertEquals(2 + TechniqueText.ALL.size(), rows.getLength());
         String volume = rows.item(rows.getLength() - 1).getTextContent();
@@ -70,7 +70,7 @@ class TechniquePagesTest {
             assertEquals(technique != CloudTechnique.AUTO, TechniqueText.ALL.contains(technique), technique.name());
         }
         assertFalse(page.getDocumentElement().getTextContent().contains("not measured yet"));
-        assertTrue(OpeningTable.html(new ErrorTable(List.of())).contains("not measured yet"));
+        assertTrue(CloudPages.opening(new ErrorTable(List.of())).contains("not measured yet"));
     }
 
     @Test

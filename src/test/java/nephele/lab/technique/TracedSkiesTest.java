@@ -22,7 +22,7 @@ final class TracedSkiesTest {
     @Test
     void whatWasTracedIsReadAgain() throws IOException {
         Path file = folder.resolve(TracedSkies.FILE);
-        SeenSky sky = node(NOT_SHIPPED, 30).sky();
+        SkyView sky = node(NOT_SHIPPED, 30).sky();
         TracedSky traced = TracedSkies.in(file).of(sky, FEW_SAMPLES);
         TracedSky read = TracedSkies.in(file).of(sky, FEW_SAMPLES);
         assertArrayEquals(traced.cloudy(), read.cloudy());
@@ -38,7 +38,7 @@ final class TracedSkiesTest {
     @Test
     void fewerSamplesThanWantedAreTracedAgain() throws IOException {
         Path file = folder.resolve(TracedSkies.FILE);
-        SeenSky sky = node(NOT_SHIPPED, 30).sky();
+        SkyView sky = node(NOT_SHIPPED, 30).sky();
         TracedSkies.in(file).of(sky, FEW_SAMPLES);
         TracedSkies.in(file).of(sky, 2 * FEW_SAMPLES);
         assertEquals(2, Files.readAllLines(file).size());
@@ -58,7 +58,7 @@ final class TracedSkiesTest {
     /** Fails if the tracer, a sample or the meaning of a level has changed: then the file is to be made again. */
     @Test
     void aShippedPictureIsWhatIsTracedToday() {
-        SeenSky sky = node("volume image", 40, 30).sky();
+        SkyView sky = node("volume image", 40, 30).sky();
         TracedSky shipped = TracedSkies.shipped().of(sky, SOME_SAMPLES);
         TracedSky today = TracedSky.of(sky, SOME_SAMPLES);
         assertNotEquals(today.mean(), shipped.mean(), "it was not shipped");
@@ -82,7 +82,7 @@ final class TracedSkiesTest {
     }
 
     private static TableCase node(String form, double opticalDepth, double angularDegrees) {
-        return TableCases.at(angularDegrees, 45, opticalDepth).stream()
+        return TableCase.at(angularDegrees, 45, opticalDepth).stream()
                 .filter(at -> at.form().equals(form))
                 .findFirst()
                 .orElseThrow();

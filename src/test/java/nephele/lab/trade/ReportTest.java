@@ -93,7 +93,7 @@ class ReportTest {
 
     @Test
     void csvHasOneLineASettingAndAsManyCellsAsTheHead() {
-        var lines = CsvReport.of(List.of(findings(1, 4, 8, 12))).lines().toList();
+        var lines = Report.csv(List.of(findings(1, 4, 8, 12))).lines().toList();
         assertEquals(5, lines.size());
         int cells = lines.get(0).split(",", -1).length;
         for (String line : lines) {
@@ -106,7 +106,7 @@ class ReportTest {
     @Test
     void plotsAreWellFormedAndHoldEverySetting() throws Exception {
         for (double[] costs : new double[][] {{1, 4, 8, 12}, {1, 200, 8, 12}, {8, 8, 8, 8}}) {
-            String svg = CostErrorPlot.of(findings(costs), PageFile.read("page.css"));
+            String svg = CostErrorPlot.of(findings(costs), HtmlDocument.resource("page.css"));
             var document = parsed(svg);
             assertEquals(4, count(document, "circle", "point"));
             assertEquals(1, count(document, "circle", "ring"));
@@ -131,7 +131,7 @@ class ReportTest {
                     element);
         }
         parsed(Files.readString(folder.resolve("plots/knob.svg")));
-        assertTrue(Files.readString(folder.resolve("trade.csv")).startsWith(CsvReport.HEADER));
+        assertTrue(Files.readString(folder.resolve("trade.csv")).startsWith(Report.CSV_HEADER));
     }
 
     @Test
@@ -144,7 +144,7 @@ class ReportTest {
         pictures.save(trade, 0, new Judgement(1, List.of(), image, new ErrorMap(2, 2, new float[] {0, 0.2f, 0.8f, 1})));
         pictures.saveExact(trade, image);
         assertTrue(pictures.complete(trade, state));
-        assertTrue(EmbeddedPicture.address(pictures.error(trade, 0)).startsWith("data:image/jpeg;base64,"));
+        assertTrue(Pictures.dataAddress(pictures.error(trade, 0)).startsWith("data:image/jpeg;base64,"));
     }
 
     /** Lightness grows with the error: 0 is the darkest colour, 1 the lightest. */
@@ -152,7 +152,7 @@ class ReportTest {
     void heatGrowsLighter() {
         int before = -1;
         for (int i = 0; i <= 20; i++) {
-            int colour = HeatColours.of(i / 20.0);
+            int colour = Pictures.heatColour(i / 20.0);
             int lightness = 2 * (colour >> 16 & 255) + 7 * (colour >> 8 & 255) + (colour & 255);
             assertTrue(lightness > before, "at " + i);
             before = lightness;

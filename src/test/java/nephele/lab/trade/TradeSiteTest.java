@@ -15,7 +15,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.json.LevelFile;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
-import nephele.lab.bake.LevelHash;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -37,7 +37,7 @@ class TradeSiteTest {
                 extent,
                 folder,
                 new PrintStream(OutputStream.nullOutputStream()))) {
-            return site.oracle().rgb();
+            return site.reference().rgb();
         }
     }
 
@@ -63,9 +63,9 @@ class TradeSiteTest {
     @Test
     void aPictureThatIsPaintedAnewMakesAnotherLevel() {
         var textured = new LevelName("levels/samples/material-textures.json").open();
-        assertEquals(LevelHash.key(textured), LevelHash.key(with(textured, 0)));
-        assertNotEquals(LevelHash.key(textured), LevelHash.key(with(textured, 1)));
-        assertNotEquals(LevelHash.key(textured), LevelHash.key(CAMERAS));
+        assertEquals(TracedPictures.levelHash(textured), TracedPictures.levelHash(with(textured, 0)));
+        assertNotEquals(TracedPictures.levelHash(textured), TracedPictures.levelHash(with(textured, 1)));
+        assertNotEquals(TracedPictures.levelHash(textured), TracedPictures.levelHash(CAMERAS));
     }
 
     /** @param change is added to the last byte of every asset */
@@ -91,13 +91,13 @@ class TradeSiteTest {
     void otherCodeHasAnotherKey() throws IOException {
         Path nested = Files.createDirectories(folder.resolve("a/b")).resolve("C.class");
         Files.writeString(nested, "one");
-        String before = CodeHash.of(List.of(folder));
-        assertEquals(before, CodeHash.of(List.of(folder, folder.resolve("none"))));
+        String before = Provenance.codeHash(List.of(folder));
+        assertEquals(before, Provenance.codeHash(List.of(folder, folder.resolve("none"))));
         var time = Files.getLastModifiedTime(nested);
         Files.writeString(nested, "two");
         Files.setLastModifiedTime(nested, time);
-        assertNotEquals(before, CodeHash.of(List.of(folder)));
-        assertNotEquals(CodeHash.of(List.of(folder)), CodeHash.of(List.of(nested)));
-        assertEquals(CodeHash.key(), CodeHash.key());
+        assertNotEquals(before, Provenance.codeHash(List.of(folder)));
+        assertNotEquals(Provenance.codeHash(List.of(folder)), Provenance.codeHash(List.of(nested)));
+        assertEquals(Provenance.codeHash(), Provenance.codeHash());
     }
 }

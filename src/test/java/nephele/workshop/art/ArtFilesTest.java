@@ -20,7 +20,6 @@ import nephele.workshop.art.material.Textures;
 import nephele.workshop.art.paint.Surface;
 import nephele.workshop.art.picture.PictureRecipe;
 import nephele.workshop.art.picture.SignPainter;
-import nephele.workshop.art.picture.SkyLayouts;
 import nephele.workshop.art.picture.SkyPainter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -66,7 +65,7 @@ class ArtFilesTest {
 
     @Test
     void committedSkiesOfOtherLayoutsAreWhatThePainterPaints() throws IOException {
-        for (Map.Entry<String, BufferedImage> painted : SkyLayouts.all().entrySet()) {
+        for (Map.Entry<String, BufferedImage> painted : SkyPainter.layouts().entrySet()) {
             String id = painted.getKey();
             Picture read = PictureDecoder.decode(id, Files.readAllBytes(Path.of("assets", id)))
                     .toRgba8();
@@ -93,13 +92,13 @@ class ArtFilesTest {
 
     @Test
     void committedPlantsAreWhatTheCodeGrows() throws IOException {
-        for (Map.Entry<String, byte[]> mesh : PlantFiles.meshes().entrySet()) {
+        for (Map.Entry<String, byte[]> mesh : ArtFiles.plants().entrySet()) {
             assertArrayEquals(
                     mesh.getValue(),
                     Files.readAllBytes(Path.of("assets", mesh.getKey())),
                     mesh.getKey() + ": run gradle textures");
         }
-        for (PictureRecipe recipe : PlantFiles.PICTURES) {
+        for (PictureRecipe recipe : ArtFiles.PLANT_PICTURES) {
             assertSamePixels(recipe.file(), recipe.painter().get());
         }
     }

@@ -13,7 +13,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import javax.imageio.ImageIO;
 import nephele.engine.sim.state.PlayerDimensions;
-import nephele.lab.generate.TerrainFile;
+import nephele.lab.generate.TerrainGenerator;
 import nephele.workshop.art.picture.PictureRecipe;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -27,7 +27,7 @@ class StonesMapTest {
 
     @Test
     void committedMapIsWhatTheCodeMakes() throws IOException {
-        byte[] made = TerrainFile.png(HEIGHTS, SIDE);
+        byte[] made = TerrainGenerator.png(HEIGHTS, SIDE);
         byte[] kept = Files.readAllBytes(Path.of("assets", StonesMap.FILE));
         assertArrayEquals(samples(made), samples(kept), "run gradle textures");
     }

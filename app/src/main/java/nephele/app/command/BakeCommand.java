@@ -125,7 +125,7 @@ final class BakeCommand implements Command {
         if (trace.hasClouds() && lit.environment().sun() != null) {
             terminal.out()
                     .println(String.format(
-                            Locale.ROOT, "clouds let %.3g of the sun's light pass to the eye", faces.sunShare()));
+                            Locale.ROOT, "clouds let %.3g of the sun's light pass to the eye", faces.sunFraction()));
         }
         terminal.out().println(faces.loss());
         if (faces.discPixels() > 0) {

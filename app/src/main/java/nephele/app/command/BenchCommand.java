@@ -15,7 +15,6 @@ import nephele.lab.bench.Bench;
 import nephele.lab.bench.CalibrationDrawing;
 import nephele.lab.bench.Drawing;
 import nephele.lab.bench.LevelDrawing;
-import nephele.lab.bench.PerPass;
 import nephele.lab.bench.SceneDrawing;
 import nephele.scenes.file.OpenedScene;
 import nephele.scenes.file.SceneName;
@@ -110,7 +109,7 @@ final class BenchCommand implements Command {
             print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
-                new PerPass(gl, drawing).csv().forEach(terminal.out()::println);
+                drawing.passTimes(gl).forEach(terminal.out()::println);
             }
         }
     }

@@ -1,5 +1,9 @@
 package nephele.app.command;
 
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.stream.Stream;
+import picocli.CommandLine.Option;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -18,6 +22,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
 public final class CommandLineFront {
+    private static final int FARTHEST_TYPING_ERROR = 2;
+
     private static final int NAME_WIDTH = 10;
 
     private final Terminal terminal;
@@ -119,7 +125,7 @@ public final class CommandLineFront {
         var known = unmatched.getCommandLine().getCommandSpec().optionsMap().keySet();
         return unmatched.getUnmatched().stream()
                 .filter(word -> word.startsWith("-"))
-                .map(word -> NearestWord.proposal(word.replaceFirst("=.*", ""), known.stream()))
+                .map(word -> didYouMean(word.replaceFirst("=.*", ""), known.stream()))
                 .filter(text -> !text.isEmpty())
                 .findFirst()
                 .orElse("");
@@ -137,11 +143,54 @@ public final class CommandLineFront {
 
     private String unknown(String word) {
         return "unknown command `" + word + "`"
-                + NearestWord.proposal(word, commands.stream().map(CommandEntry::name))
+                + didYouMean(word, commands.stream().map(CommandEntry::name))
                 + "\n`nephele --help` lists the commands.";
     }
 
     private static String padded(String name) {
         return name + " ".repeat(Math.max(1, NAME_WIDTH - name.length()));
+    }
+
+    /** The options that every command has. */
+    static final class CommonOptions {
+        @Option(
+                names = {"-h", "--help"},
+                usageHelp = true,
+                description = "Show this help.")
+        boolean help;
+
+        @Option(
+                names = "--verbose",
+                description = "Show the stack trace when something fails; play also writes each change of its state.")
+        boolean verbose;
+    }
+
+    /** Returns the nearest known word within two typing errors. */
+    private static Optional<String> nearest(String typed, Stream<String> known) {
+        return known.min(Comparator.comparingInt(word -> editDistance(word, typed)))
+                .filter(word -> editDistance(word, typed) <= FARTHEST_TYPING_ERROR);
+    }
+
+    /** Returns a question that ends a message about an unknown word; empty if no known word is near. */
+    private static String didYouMean(String typed, Stream<String> known) {
+        return nearest(typed, known).map(word -> "; did you mean `" + word + "`?").orElse("");
+    }
+
+    /** Returns the edit distance of Levenshtein (1966): the least number of letters to insert, remove or replace. */
+    private static int editDistance(String a, String b) {
+        int[] previous = new int[b.length() + 1];
+        for (int j = 0; j <= b.length(); j++) {
+            previous[j] = j;
+        }
+        for (int i = 1; i <= a.length(); i++) {
+            int[] current = new int[b.length() + 1];
+            current[0] = i;
+            for (int j = 1; j <= b.length(); j++) {
+                int change = previous[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+                current[j] = Math.min(change, 1 + Math.min(previous[j], current[j - 1]));
+            }
+            previous = current;
+        }
+        return previous[b.length()];
     }
 }

@@ -61,7 +61,7 @@ final class EditCommand implements Command {
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
         session.panes(panes -> OpeningViews.of(opened.level(), panes));
         session.fileServices(FileServices.of(files).with(EditCommand::importScene));
-        session.proving().trade().madeBy(TradeReportLine::words);
+        session.proving().trade().madeBy(OwnCommandLine::tradeReport);
         if (script != null) {
             return runScript(session, terminal);
         }
@@ -70,7 +70,7 @@ final class EditCommand implements Command {
         new WindowedEditing(
                         session,
                         files,
-                        () -> WaitingGameLine.words(session.file().path().orElse(null)),
+                        () -> OwnCommandLine.waitingGame(session.file().path().orElse(null)),
                         terminal.err()::println)
                 .open(ended::countDown);
         ended.await();

@@ -22,7 +22,6 @@ import nephele.host.terminal.Terminal;
 import nephele.lab.generate.PlantKind;
 import nephele.lab.generate.PlantKind.Family;
 import nephele.lab.generate.PlantKinds;
-import nephele.lab.generate.TerrainFile;
 import nephele.lab.generate.TerrainGenerator;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -102,7 +101,7 @@ final class GenerateCommand implements Command {
         int seed = whole("SEED", words.get(1), Integer.MIN_VALUE, Integer.MAX_VALUE);
         int side = whole("SIZE", words.get(2), HeightMap.LEAST_SAMPLES, HeightMap.MOST_SAMPLES);
         Path out = out(".png");
-        byte[] picture = TerrainFile.png(TerrainGenerator.heights(seed, side), side);
+        byte[] picture = TerrainGenerator.png(TerrainGenerator.heights(seed, side), side);
         WrittenFile.write(out, file -> AtomicFile.write(file, picture));
         return ExitCode.DONE;
     }

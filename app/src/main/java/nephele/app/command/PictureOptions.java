@@ -1,7 +1,13 @@
 package nephele.app.command;
 
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import nephele.engine.render.frame.QualityField;
 import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
+import nephele.host.draw.QualityChoice;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
@@ -9,10 +15,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.draw.QualityChoice;
-import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of an offscreen picture of a level, shared by measuring and saving. */
@@ -30,12 +33,27 @@ final class PictureOptions {
             description = "direct, hdr or plain (default: as the level requires).")
     private Output output;
 
-    @Mixin
-    private QualityOptions quality;
+    @Option(
+            names = "--quality",
+            paramLabel = "Q",
+            defaultValue = "high",
+            description =
+                    "low, medium, high, ultra or auto, as play draws them: low with half the resolution, scaled up;"
+                            + " auto as play begins (default: high).")
+    private String quality;
+
+    @Option(
+            names = "--set",
+            paramLabel = "KEY=VALUE",
+            parameterConsumer = SettingConsumer.class,
+            description =
+                    "Change single settings: ${COMPLETION-CANDIDATES}; debug=ids draws every solid in its own colour.",
+            completionCandidates = SettingNames.class)
+    private Map<String, String> settings = new LinkedHashMap<>();
 
     /** Checks the settings; throws a usage failure for unknown ones. */
     void check() {
-        quality.choice();
+        choice();
     }
 
     Size size() {
@@ -65,7 +83,9 @@ final class PictureOptions {
     }
 
     QualityChoice choice() {
-        return quality.choice();
+        var choice = new QualityChoice(quality, settings);
+        choice.check();
+        return choice;
     }
 
     RenderTarget target(GlContext gl) {
@@ -79,5 +99,13 @@ final class PictureOptions {
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.shown(opened);
         return LevelRenderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
+    }
+
+    /** The names of all settings, for the help. */
+    static final class SettingNames implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return QualityChoice.FIELDS.stream().map(QualityField::name).iterator();
+        }
     }
 }

@@ -2,12 +2,17 @@ package nephele.app.command;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import nephele.app.play.GameLoop;
 import nephele.app.play.OffscreenWalk;
 import nephele.app.play.PlayRequest;
 import nephele.app.play.StartProfile;
 import nephele.app.play.WaitingGame;
-import nephele.app.play.WindowedGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.view.SceneViewer;
@@ -15,8 +20,10 @@ import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowSize;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
 import nephele.host.compare.TechniquePair;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
 import nephele.host.named.ReplayOrigin;
@@ -25,7 +32,6 @@ import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import nephele.host.userfile.UserFolders;
 import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
@@ -73,7 +79,7 @@ final class PlayCommand implements Command {
     @Option(
             names = "--upright-rate",
             paramLabel = "DEG_PER_SECOND|instant",
-            converter = UprightRate.Converter.class,
+            converter = UprightRateConverter.class,
             description = {
                 "How fast the view turns upright after a portal has left it leaning: 10 or more, or instant",
                 "(default: 360). Stored with --record; a replay brings its own."
@@ -116,8 +122,18 @@ final class PlayCommand implements Command {
     @Option(names = "--warm", hidden = true)
     private boolean warm;
 
-    @Mixin
-    private PlayQualityOptions quality;
+    @Option(
+            names = "--quality",
+            paramLabel = "Q",
+            description = "low, medium, high, ultra or auto (default: that of the settings, at first auto).")
+    private String quality;
+
+    @Option(
+            names = "--set",
+            paramLabel = "KEY=VALUE",
+            parameterConsumer = SettingConsumer.class,
+            description = "Change single settings, as in render.")
+    private Map<String, String> qualitySettings = new LinkedHashMap<>();
 
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
@@ -134,9 +150,9 @@ final class PlayCommand implements Command {
             terminal.shown().run();
             WaitingGame.run(request, System.in, terminal.out());
         } else if (windowed && profileStart) {
-            new WindowedGame(request).profileStart(profile, terminal.out());
+            GameLoop.profileStart(request, profile, terminal.out());
         } else if (windowed) {
-            new WindowedGame(request).run(terminal.shown());
+            GameLoop.play(request, terminal.shown());
         } else if (profileStart) {
             new OffscreenWalk(request, terminal.out(), PICTURES).profileStart(profile);
         } else {
@@ -158,7 +174,7 @@ final class PlayCommand implements Command {
         return new PlayRequest(
                 name,
                 from,
-                quality.choice(),
+                quality(),
                 shown(name, terminal),
                 record,
                 settings(),
@@ -169,6 +185,16 @@ final class PlayCommand implements Command {
                         log,
                         // A method reference would load the viewer's class, and with it the module of scenes.
                         (file, title, screen, complaints) -> SceneViewer.visit(file, title, screen, complaints)));
+    }
+
+    /** Returns the choice of quality; null if no option states one, which leaves it to the player's settings. */
+    private QualityChoice quality() {
+        if (quality == null && qualitySettings.isEmpty()) {
+            return null;
+        }
+        var choice = new QualityChoice(quality == null ? "auto" : quality, qualitySettings);
+        choice.check();
+        return choice;
     }
 
     /** @param chosen by the player's settings; null for none */
@@ -214,8 +240,38 @@ final class PlayCommand implements Command {
             return null;
         }
         int rate = ticksPerSecond == null ? SimSettings.DEFAULT.ticksPerSecond() : ticksPerSecond;
-        var upright = uprightRate == null ? UprightRate.USUAL : uprightRate;
-        return new SimSettings(rate, AssistNames.parse(assists), upright.degreesPerSecond());
+        int upright =
+                uprightRate == null ? SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND : uprightRate.degreesPerSecond();
+        return new SimSettings(rate, assists(assists), upright);
+    }
+
+    /**
+     * Returns the assists named on the command line.
+     *
+     * @param names {@code null} for the default
+     */
+    static List<Assist> assists(List<String> names) {
+        if (names == null) {
+            return Assist.USUAL;
+        }
+        List<Assist> assists = new ArrayList<>();
+        for (String name : names) {
+            if (!name.equals("none")) {
+                assists.add(assist(name));
+            } else if (names.size() > 1) {
+                throw CommandFailure.usage("--assist none stands alone");
+            }
+        }
+        return assists;
+    }
+
+    private static Assist assist(String name) {
+        return Arrays.stream(Assist.values())
+                .filter(assist -> assist.text().equals(name))
+                .findFirst()
+                .orElseThrow(() -> CommandFailure.usage("--assist " + name + ": there is "
+                        + Arrays.stream(Assist.values()).map(Assist::text).collect(Collectors.joining(", "))
+                        + " and none"));
     }
 
     /** Parses two techniques of clouds, such as `particles,volume`. */
@@ -227,6 +283,27 @@ final class PlayCommand implements Command {
             } catch (IllegalArgumentException wrong) {
                 throw new TypeConversionException(wrong.getMessage());
             }
+        }
+    }
+
+    /** The rate of {@code --upright-rate}, which may also be a word. */
+    record UprightRate(int degreesPerSecond) {}
+
+    /** Reads whole degrees per second, or {@code instant}. */
+    static final class UprightRateConverter implements ITypeConverter<UprightRate> {
+        @Override
+        public UprightRate convert(String text) {
+            if (text.equals("instant")) {
+                return new UprightRate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
+            }
+            int rate = text.matches("[0-9]{1,6}") ? Integer.parseInt(text) : 0;
+            if (rate < SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND
+                    || rate > SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND) {
+                throw new TypeConversionException("'" + text + "' must be `instant` or whole degrees per second from "
+                        + SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND + " to "
+                        + SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
+            }
+            return new UprightRate(rate);
         }
     }
 }

@@ -9,8 +9,6 @@ import java.util.function.Consumer;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.host.named.AssetProblems;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
@@ -22,11 +20,12 @@ import nephele.engine.reference.tile.TiledPicture;
 import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
-import nephele.lab.bake.PinholeViews;
 import nephele.lab.bake.ResumableTrace;
-import nephele.lab.bake.TracedFacts;
+import nephele.lab.bake.TracedPictures;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
@@ -124,7 +123,7 @@ public final class ReferenceOptions {
         if (picture.output(opened) == Output.PLAIN || !TracedExposure.isNeeded(opened.level())) {
             return seen;
         }
-        var eye = PinholeViews.of(seen.view);
+        var eye = TracedPictures.pinhole(seen.view);
         PlacedLevel metered = AssetProblems.named(
                 opened, () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
         return new Seen(opened.edited(metered), seen.view, seen.seconds);
@@ -177,8 +176,8 @@ public final class ReferenceOptions {
                 Runtime.getRuntime().availableProcessors());
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
         var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
-        var eye = PinholeViews.of(seen.view);
-        var facts = TracedFacts.of(
+        var eye = TracedPictures.pinhole(seen.view);
+        var facts = TracedPictures.facts(
                 seen.opened, seen.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
         var part = new ResumableTrace.Part(
                 partFile(out),
@@ -195,8 +194,8 @@ public final class ReferenceOptions {
     }
 
     private Path partFile(Path out) {
-        String share = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
-        return out.resolveSibling(out.getFileName() + share + ".part");
+        String fraction = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
+        return out.resolveSibling(out.getFileName() + fraction + ".part");
     }
 
     /** Reads {@code i/n}. */

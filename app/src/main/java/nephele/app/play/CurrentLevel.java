@@ -15,7 +15,7 @@ import nephele.host.terminal.CommandFailure;
 /** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {
     private final GlContext gl;
-    private final FrameStatisticsControl figures;
+    private final FrameStatistics figures;
     private final Recordings recordings;
     private final Message message;
     private final AutoQuality auto;
@@ -25,7 +25,7 @@ final class CurrentLevel implements AutoCloseable {
     CurrentLevel(GlContext gl, Recordings recordings, Message message, AutoQuality auto) {
         this.gl = gl;
         this.auto = auto;
-        figures = new FrameStatisticsControl(gl);
+        figures = new FrameStatistics(gl);
         this.recordings = recordings;
         this.message = message;
     }
@@ -35,7 +35,7 @@ final class CurrentLevel implements AutoCloseable {
         return session;
     }
 
-    FrameStatisticsControl figures() {
+    FrameStatistics figures() {
         return figures;
     }
 

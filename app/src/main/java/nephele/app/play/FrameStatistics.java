@@ -7,46 +7,82 @@ import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.render.Renderer;
-import nephele.engine.render.timing.StepTimer;
 import nephele.host.playthrough.Playthrough;
+import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.timing.StepTimer;
 
-/** The figures of the F3 panel, averaged over a quarter of a second so that they are readable. */
+/**
+ * The figures of the F3 panel, averaged over a quarter of a second so that they are readable; nothing is timed while the panel is
+ * closed.
+ */
 final class FrameStatistics implements AutoCloseable {
     private static final long INTERVAL_NANOS = 250_000_000L;
 
-    private final Renderer renderer;
-    private final List<String> stepNames;
-    private final StepTimer timer;
+    private final GlContext gl;
     private final Stopwatch stopwatch = new Stopwatch();
     private List<Figure> figures = List.of();
-    private long intervalStart = System.nanoTime();
-    private long allocatedAtStart = stopwatch.allocatedBytes();
+    private long intervalStart;
+    private long allocatedAtStart;
     private int frames;
 
-    FrameStatistics(Renderer renderer, StepTimer timer) {
-        this.renderer = renderer;
-        this.timer = timer;
-        stepNames = renderer.stepNames();
+    /** The timed renderer; {@code null} while the panel is closed, as the timer is. */
+    private Renderer renderer;
+
+    private StepTimer timer;
+
+    FrameStatistics(GlContext gl) {
+        this.gl = gl;
     }
 
-    /** Returns the listener for the steps of the frames. */
-    StepTimer timer() {
+    /** Opens the panel for a renderer, or closes it. */
+    void toggle(Renderer timed) {
+        boolean closes = isOpen();
+        close();
+        if (!closes) {
+            renderer = timed;
+            timer = StepTimer.of(gl, timed.stepNames().size());
+            beginInterval(System.nanoTime());
+        }
+    }
+
+    boolean isOpen() {
+        return renderer != null;
+    }
+
+    /** Returns the lines for the last frames; empty if the panel is closed. */
+    List<Figure> lines() {
+        return figures;
+    }
+
+    /** Starts to time a frame, if the panel is open. */
+    StepListener frameBegins() {
+        if (!isOpen()) {
+            return StepListener.NONE;
+        }
+        timer.frameBegins();
         return timer;
     }
 
-    /** Returns the panel's lines; called after each frame. */
-    List<Figure> afterFrame(Playthrough playthrough, Language language) {
+    /** @param language of the lines */
+    void frameEnds(Playthrough playthrough, Language language) {
+        if (!isOpen()) {
+            return;
+        }
         frames++;
         long now = System.nanoTime();
         if (now - intervalStart >= INTERVAL_NANOS) {
             figures = read(now, playthrough, language);
             timer.reset();
-            frames = 0;
-            allocatedAtStart = stopwatch.allocatedBytes();
-            intervalStart = now;
+            beginInterval(now);
         }
-        return figures;
+    }
+
+    private void beginInterval(long now) {
+        frames = 0;
+        allocatedAtStart = stopwatch.allocatedBytes();
+        intervalStart = now;
     }
 
     private List<Figure> read(long now, Playthrough playthrough, Language language) {
@@ -55,6 +91,7 @@ final class FrameStatistics implements AutoCloseable {
         var lines = new ArrayList<Figure>();
         lines.add(new Figure(Phrase.FIGURE_FRAMES.in(language), String.format(Locale.ROOT, "%.1f", 1000 / frameMs)));
         lines.add(new Figure(Phrase.FIGURE_FRAME.in(language), ms(frameMs)));
+        List<String> stepNames = renderer.stepNames();
         for (int step = 0; step < stepNames.size(); step++) {
             lines.add(new Figure("  " + Phrase.ofStep(stepNames.get(step)).in(language), ms(timer.meanMs(step))));
         }
@@ -73,6 +110,11 @@ final class FrameStatistics implements AutoCloseable {
 
     @Override
     public void close() {
-        timer.close();
+        if (isOpen()) {
+            timer.close();
+            timer = null;
+            renderer = null;
+            figures = List.of();
+        }
     }
 }

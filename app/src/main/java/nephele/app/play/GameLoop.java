@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -39,8 +40,7 @@ public final class GameLoop implements AutoCloseable {
     private final Gamepad gamepad;
     private final PlayerFiles files;
     private final Display display;
-    private final StageMachine stages = new StageMachine();
-    private final StageLog log;
+    private final StageMachine stages;
     private final GameMenus menus;
     private final MenuControl menu;
     private final Message message = new Message(this::language);
@@ -69,7 +69,7 @@ public final class GameLoop implements AutoCloseable {
         this.gl = gl;
         this.input = input;
         files = request.player().files();
-        log = new StageLog(request.player().log());
+        stages = new StageMachine(request.player().log());
         menus = new GameMenus(files, LevelCatalogue.campaign(), titles, input::device);
         gamepad = new Gamepad(input);
         menu = new MenuControl(input, System::nanoTime);
@@ -89,6 +89,49 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
+    /**
+     * Plays in a window of its own until the player quits.
+     *
+     * @param loaded is called when the level is loaded
+     */
+    public static void play(PlayRequest request, Runnable loaded) {
+        var input = new Input();
+        try (var window = open(request, input);
+                var gl = GlContext.ofCurrent();
+                var loop = new GameLoop(request, window, gl, input)) {
+            loaded.run();
+            loop.run();
+        }
+    }
+
+    /** Opens a window, draws only the first frame and reports the time of each part of the start. */
+    public static void profileStart(PlayRequest request, StartProfile profile, PrintStream out) {
+        profile.done("arguments");
+        var input = new Input();
+        try (var window = open(request, input);
+                var gl = GlContext.ofCurrent()) {
+            profile.done("window and context");
+            try (var loop = new GameLoop(request, window, gl, input)) {
+                loop.frame();
+                gl.finish();
+                profile.done("level, upload, compile and first frame");
+                profile.report().forEach(out::println);
+            }
+        }
+    }
+
+    private static GameWindow open(PlayRequest request, Input input) {
+        System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
+        var picture = request.picture();
+        var window = GameWindow.open(new GameWindow.Request(TITLE, picture.width(), picture.height()), input);
+        if (picture.fullScreen()) {
+            window.become(
+                    WindowMode.FULLSCREEN,
+                    Settings.resolution(request.player().files().settings()));
+        }
+        return window;
+    }
+
     /** Runs until the player quits. */
     public void run() {
         while (!stages.in(GameStage.LEAVING)) {
@@ -106,7 +149,7 @@ public final class GameLoop implements AutoCloseable {
         changeLevel();
         simulate();
         draw();
-        log.shown(stages.current(), menu, loading, current);
+        stages.logVisible(menu, loading, current);
         tellProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
@@ -298,7 +341,7 @@ public final class GameLoop implements AutoCloseable {
         } catch (CommandFailure problem) {
             message.say(Phrase.SCENE_NOT_SHOWN, problem.getMessage());
         } catch (RuntimeException problem) {
-            message.say(Phrase.SCENE_NOT_SHOWN, LoadProblem.line(problem).orElseThrow(() -> problem));
+            message.say(Phrase.SCENE_NOT_SHOWN, Loading.problemLine(problem).orElseThrow(() -> problem));
         }
         window.title(TITLE);
         lastNanos = System.nanoTime();
@@ -310,7 +353,7 @@ public final class GameLoop implements AutoCloseable {
 
     private Menu pauseMenu() {
         Session session = current.session();
-        return menus.pause(session.request().level(), GoalSight.text(session.level(), language()));
+        return menus.pause(session.request().level(), Captions.goalText(session.level(), language()));
     }
 
     private void leaveMenu(GameStage stage) {
@@ -347,7 +390,7 @@ public final class GameLoop implements AutoCloseable {
             current.become(session());
             current.liesBehindTitle();
         } catch (RuntimeException problem) {
-            if (LoadProblem.line(problem).isEmpty()) {
+            if (Loading.problemLine(problem).isEmpty()) {
                 throw problem;
             }
         }
@@ -364,12 +407,12 @@ public final class GameLoop implements AutoCloseable {
             loading = null;
             begin();
         } catch (RuntimeException problem) {
-            var told = LoadProblem.line(problem);
-            if (startedFrom == null || told.isEmpty()) {
+            var reported = Loading.problemLine(problem);
+            if (startedFrom == null || reported.isEmpty()) {
                 throw problem;
             }
             loading = null;
-            message.say(Phrase.NOT_LOADED, told.get());
+            message.say(Phrase.NOT_LOADED, reported.get());
             menu.reopen();
             stages.change(startedFrom);
         }
@@ -407,7 +450,7 @@ public final class GameLoop implements AutoCloseable {
         walk.advance(now - lastNanos);
         var events = walk.takeEvents();
         if (!events.isEmpty()) {
-            events.forEach(event -> EventText.of(event, language()).ifPresent(message::say));
+            events.forEach(event -> Message.ofEvent(event, language()).ifPresent(message::say));
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
@@ -432,7 +475,7 @@ public final class GameLoop implements AutoCloseable {
             return;
         }
         LevelName level = session.request().level();
-        log.say("exit " + level.fileName() + " "
+        stages.log("exit " + level.fileName() + " "
                 + session.walk().state().world().exit().tick());
         Progress before = files.progress();
         if (session.request().isRanked()) {

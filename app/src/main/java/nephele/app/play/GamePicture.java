@@ -1,5 +1,11 @@
 package nephele.app.play;
 
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import nephele.app.play.hud.HudContent.Keys;
+import nephele.engine.level.Level.Observer.Bounds;
+import nephele.host.playthrough.Playthrough;
+import nephele.engine.scene.FrameState.ObserverSphere;
 import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
@@ -191,7 +197,7 @@ final class GamePicture {
                 session.isInPlayersHands()
                         ? prompts.text(session.walk(), crosshair, files.settings(), input.device())
                         : null,
-                showsGoal() ? GoalSight.mark(session.level(), session.walk().view(display.aspect()), area) : null);
+                showsGoal() ? Captions.goalMark(session.level(), session.walk().view(display.aspect()), area) : null);
     }
 
     private boolean showsGoal() {
@@ -212,7 +218,7 @@ final class GamePicture {
             return captions.goal(current.session(), language);
         }
         Banner aim = captions.aim(language);
-        return aim != null ? aim : ObserverTexts.banner(current.session().walk(), keys());
+        return aim != null ? aim : observerBanner(current.session().walk(), keys());
     }
 
     private Banner banner(GameStage stage, Loading loading) {
@@ -221,6 +227,38 @@ final class GamePicture {
             case STARTING -> loading == null ? null : captions.of(loading, language);
             case RUNNING -> running(language);
             default -> null;
+        };
+    }
+
+    /** Returns the texts of the last frame; {@code null} without an observer. */
+    private static Banner observerBanner(Playthrough walk, Keys keys) {
+        if (walk.observer() == null) {
+            return null;
+        }
+        Language language = keys.language();
+        ObserverSphere sphere = walk.frameState().observer();
+        Phrase contact = sphere.touches() ? Phrase.BOUNDS_TOUCHED : Phrase.BOUNDS_APART;
+        return new Banner(
+                boundsPhrase(walk.observer().shown()).in(language) + ": " + contact.in(language),
+                movingKeys(keys) + ": " + Phrase.OBSERVER_MOVES.in(language) + "   " + keys.inSentence(Control.PERSON)
+                        + ": " + Phrase.BOUNDS_NEXT.in(language));
+    }
+
+    private static String movingKeys(Keys keys) {
+        return keys.device() == Input.Device.GAMEPAD
+                ? "L"
+                : Stream.of(Control.FORWARD, Control.LEFT, Control.BACK, Control.RIGHT)
+                        .map(keys::inSentence)
+                        .collect(Collectors.joining(" "));
+    }
+
+    private static Phrase boundsPhrase(Bounds bounds) {
+        return switch (bounds) {
+            case SPHERE -> Phrase.BOUNDS_SPHERE;
+            case BOX -> Phrase.BOUNDS_BOX;
+            case ORIENTED_BOX -> Phrase.BOUNDS_ORIENTED_BOX;
+            case TREE -> Phrase.BOUNDS_TREE;
+            case TRIANGLES -> Phrase.BOUNDS_TRIANGLES;
         };
     }
 }

@@ -22,7 +22,7 @@ final class GivenHints {
 
     private final Message message;
     private final Supplier<HudContent.Keys> keys;
-    private Hint told;
+    private Hint reported;
     private double toldSeconds;
     private boolean isPromised;
 
@@ -33,7 +33,7 @@ final class GivenHints {
 
     /** Begins with a level. */
     void restart() {
-        told = null;
+        reported = null;
         isPromised = false;
     }
 
@@ -50,8 +50,8 @@ final class GivenHints {
         }
         if (isPromised) {
             give(hints);
-        } else if (offered != told || seconds - toldSeconds >= AGAIN_SECONDS) {
-            told = offered;
+        } else if (offered != reported || seconds - toldSeconds >= AGAIN_SECONDS) {
+            reported = offered;
             toldSeconds = seconds;
             var shown = keys.get();
             message.sayHint(Phrase.HINT_OFFERED.in(shown.language(), shown.inSentence(Control.HINT)));

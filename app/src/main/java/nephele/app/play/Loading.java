@@ -1,9 +1,14 @@
 package nephele.app.play;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.settings.Phrase;
-import nephele.host.draw.Preparation;
+import nephele.engine.asset.AssetException;
 import nephele.engine.level.Language;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.render.gl.shader.GlException;
+import nephele.host.draw.Preparation;
 
 /** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */
 final class Loading {
@@ -16,7 +21,7 @@ final class Loading {
         preparation = Preparation.begin(
                 request.level(),
                 request.chosenQuality(),
-                share -> bakedPercent.accumulateAndGet((int) (100 * share), Math::max));
+                fraction -> bakedPercent.accumulateAndGet((int) (100 * fraction), Math::max));
     }
 
     static Loading begin(PlayRequest request) {
@@ -43,5 +48,16 @@ final class Loading {
     /** Returns the prepared level, or throws its problems. */
     Preparation.Prepared prepared() {
         return preparation.get();
+    }
+
+    /** Returns one line for failures after which the game continues; empty for a bug. */
+    static Optional<String> problemLine(RuntimeException failure) {
+        boolean goesOn = failure instanceof LevelFormatException
+                || failure instanceof AssetException
+                || failure instanceof GlUnavailableException
+                || failure instanceof GlException;
+        return goesOn
+                ? Optional.of(failure.getMessage().lines().findFirst().orElse("the level can't be loaded"))
+                : Optional.empty();
     }
 }

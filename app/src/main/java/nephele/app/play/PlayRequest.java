@@ -107,19 +107,19 @@ public record PlayRequest(
      */
     boolean isRanked() {
         return isPlayedFromStart()
-                && settings().equals(ChosenSettings.simulation(player.files().settings()));
+                && settings().equals(player.files().settings().simulation());
     }
 
     /** Returns the simulation's settings: those of the command line, else the player's. */
     SimSettings settings() {
         return simulation != null
                 ? simulation
-                : ChosenSettings.simulation(player.files().settings());
+                : player.files().settings().simulation();
     }
 
     /** Returns the quality of the command line, else the player's. */
     QualityChoice chosenQuality() {
-        return quality != null ? quality : ChosenSettings.quality(player.files().settings());
+        return quality != null ? quality : player.files().settings().quality();
     }
 
     /** Returns true if the quality follows the frame rate. Allocates nothing: frames ask for it. */

@@ -217,7 +217,7 @@ final class Prompts {
         if (unevenMillimetres != millimetres || unevenIn != language) {
             unevenMillimetres = millimetres;
             unevenIn = language;
-            uneven = EventText.refusal(Refusal.NOT_FLAT, millimetres, language);
+            uneven = Message.ofRefusal(Refusal.NOT_FLAT, millimetres, language);
         }
         return uneven;
     }

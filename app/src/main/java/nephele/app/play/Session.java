@@ -98,10 +98,10 @@ final class Session implements AutoCloseable {
     /** Applies the player's settings that hold at once. */
     void apply() {
         GameSettings settings = request.player().files().settings();
-        playthrough.verticalFovDegrees(ChosenSettings.verticalFovDegrees(settings));
+        playthrough.verticalFovDegrees(settings.verticalFovDegrees());
         playthrough.shotPalette(settings.get(Settings.PORTAL_COLOURS));
-        playthrough.flashStyle(ChosenSettings.flashStyle(settings));
-        playthrough.motion(ChosenSettings.motion(settings));
+        playthrough.flashStyle(settings.flashStyle());
+        playthrough.motion(settings.motion());
     }
 
     /**

@@ -151,7 +151,7 @@ final class TestPlay {
         var events = walk.takeEvents();
         Language language = files().settings().get(Settings.LANGUAGE);
         if (!events.isEmpty()) {
-            events.forEach(event -> EventText.of(event, language).ifPresent(message::say));
+            events.forEach(event -> Message.ofEvent(event, language).ifPresent(message::say));
             picture.after(events);
         }
         if (slow.isTimeLost(now, walk.lostNanos())) {

@@ -170,7 +170,7 @@ public final class WaitingGame {
             }
             gl.finish();
         } catch (RuntimeException problem) {
-            if (LoadProblem.line(problem).isEmpty()) {
+            if (Loading.problemLine(problem).isEmpty()) {
                 throw problem;
             }
         }
@@ -190,7 +190,7 @@ public final class WaitingGame {
     private void fail(RuntimeException problem) {
         String message = problem instanceof CommandFailure known
                 ? known.getMessage()
-                : LoadProblem.line(problem).orElseThrow(() -> problem);
+                : Loading.problemLine(problem).orElseThrow(() -> problem);
         if (!orders.isAnyWaiting()) {
             answer(new PlayAnswer.Failed(message));
         }

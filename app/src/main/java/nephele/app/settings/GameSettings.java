@@ -1,5 +1,12 @@
 package nephele.app.settings;
 
+import java.util.List;
+import nephele.app.settings.Settings.Switch;
+import nephele.host.draw.QualityChoice;
+import nephele.engine.level.appearance.FlashStyle;
+import nephele.host.playthrough.PictureMotion;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.SimSettings;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.util.IdentityHashMap;
@@ -7,10 +14,13 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * The values of all settings; immutable. Entries that are unknown or broken count as absent and stay in the file.
+ * The values of all settings, and what they mean for the parts of the game; immutable. Entries that are unknown or broken count as absent and stay in the file.
  */
 public final class GameSettings {
     public static final GameSettings DEFAULT = new GameSettings(new JsonObject());
+
+    /** The width of pictures for which the horizontal field of view is stated, relative to their height. */
+    private static final double ASPECT = 16.0 / 9;
 
     private final JsonObject entries;
     private final Map<GameSetting<?>, Object> values = new IdentityHashMap<>();
@@ -67,5 +77,53 @@ public final class GameSettings {
     /** Returns the entries of the file. */
     public JsonObject entries() {
         return entries.deepCopy();
+    }
+
+    /** Returns the vertical field of view, the same for every window. */
+    public double verticalFovDegrees() {
+        double half = Math.toRadians(get(Settings.FIELD_OF_VIEW)) / 2;
+        return 2 * Math.toDegrees(Math.atan(Math.tan(half) / ASPECT));
+    }
+
+    /** Returns the quality of pictures. */
+    public QualityChoice quality() {
+        Map<String, String> more =
+                get(Settings.EDGE_FILTER) == Switch.ON ? Map.of("edgeFilter", "morphological") : Map.of();
+        return new QualityChoice(GameSetting.word(get(Settings.QUALITY)), more);
+    }
+
+    /** Returns the settings of the simulation. */
+    public SimSettings simulation() {
+        return new SimSettings(SimSettings.DEFAULT.ticksPerSecond(), assists(), uprightRate());
+    }
+
+    private List<Assist> assists() {
+        return switch (get(Settings.ASSISTS)) {
+            case NONE -> List.of();
+            case USUAL -> Assist.USUAL;
+            case ALL -> List.of(Assist.values());
+        };
+    }
+
+    private int uprightRate() {
+        if (get(Settings.REDUCED_MOTION) == Switch.ON) {
+            return SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND;
+        }
+        return switch (get(Settings.UPRIGHT)) {
+            case SLOW -> SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND / 2;
+            case NORMAL -> SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
+            case FAST -> 2 * SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
+            case INSTANT -> SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND;
+        };
+    }
+
+    /** Returns how much the picture moves by itself. */
+    public PictureMotion motion() {
+        return get(Settings.REDUCED_MOTION) == Switch.ON ? PictureMotion.REDUCED : PictureMotion.FULL;
+    }
+
+    /** Returns how flashes of lightning come and go. */
+    public FlashStyle flashStyle() {
+        return get(Settings.REDUCED_FLASHES) == Switch.ON ? FlashStyle.SOFTENED : FlashStyle.NATURAL;
     }
 }

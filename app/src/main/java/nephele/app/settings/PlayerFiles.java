@@ -25,8 +25,8 @@ public final class PlayerFiles {
         settingsFile = new UserFile(in(folders.settings(), "settings.json"), "nephele-settings", 1);
         progressFile = new UserFile(in(folders.state(), "progress.json"), "nephele-progress", 1);
         qualityFile = new UserFile(in(folders.state(), "quality.json"), "nephele-quality", 1);
-        settings = GameSettings.of(settingsFile.read(problems::add), told(settingsFile));
-        progress = Progress.of(progressFile.read(problems::add), told(progressFile));
+        settings = GameSettings.of(settingsFile.read(problems::add), reporter(settingsFile));
+        progress = Progress.of(progressFile.read(problems::add), reporter(progressFile));
         quality = new QualityMemory(qualityFile.read(unusable -> {})); // it is learned again
         if (settingsFile.path() == null) {
             problems.add("no folder for settings is known (HOME is not set): nothing is kept");
@@ -37,7 +37,7 @@ public final class PlayerFiles {
         return folder == null ? null : folder.resolve(name);
     }
 
-    private Consumer<String> told(UserFile file) {
+    private Consumer<String> reporter(UserFile file) {
         return problem -> problems.add(file.path() + ": " + problem);
     }
 

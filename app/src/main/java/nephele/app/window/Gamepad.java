@@ -9,10 +9,10 @@ import java.util.Map;
  * view. In menus the left stick and the D-pad repeat while they are held.
  */
 public final class Gamepad {
-    /** The dead zone of a stick, as a share of its way. */
+    /** The dead zone of a stick, as a fraction of its way. */
     static final double DEAD_ZONE = 0.18;
 
-    /** The share of its way beyond which a trigger, or a stick in a menu, counts as pressed. */
+    /** The fraction of its way beyond which a trigger, or a stick in a menu, counts as pressed. */
     static final double PRESSED = 0.5;
 
     static final double FIRST_REPEAT_SECONDS = 0.4;

@@ -22,7 +22,7 @@ import nephele.engine.render.frame.DrawnScene;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.OwnedObjects;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.Scene;
 import nephele.engine.sim.reach.EyeReach;
 
@@ -32,11 +32,11 @@ import nephele.engine.sim.reach.EyeReach;
  */
 public final class LevelRenderer {
     /** What the clouds and their columns follow from. */
-    private record Causes(Same assets, Environment environment) {}
+    private record Causes(Identity assets, Environment environment) {}
 
     /** What the places of an eye follow from. */
     private record Places(
-            Same statics, PlayerStart player, List<PortalSpec> portals, PortalGun gun, List<Camera> cameras) {}
+            Identity statics, PlayerStart player, List<PortalSpec> portals, PortalGun gun, List<Camera> cameras) {}
 
     private LevelRenderer() {}
 
@@ -103,7 +103,7 @@ public final class LevelRenderer {
         Environment environment = scene.level().environment();
         return owned.shareValue(
                 CloudColumns.class,
-                new Causes(new Same(scene.assets()), CloudTimeline.causes(environment)),
+                new Causes(new Identity(scene.assets()), CloudTimeline.causes(environment)),
                 () -> CloudColumns.of(LoadedClouds.of(environment, scene.assets(), seed -> tables(owned, seed))));
     }
 
@@ -112,13 +112,14 @@ public final class LevelRenderer {
     }
 
     private static List<CloudTechnique> techniques(OwnedObjects owned, Scene scene, CloudColumns columns) {
-        List<CloudTechnique> written =
-                columns.loaded().clouds().stream().map(cloud -> cloud.technique()).toList();
+        List<CloudTechnique> written = columns.loaded().clouds().stream()
+                .map(cloud -> cloud.technique())
+                .toList();
         if (!written.contains(CloudTechnique.AUTO)) {
             return written;
         }
-        ErrorTable table = owned.shareValue(
-                ErrorTable.class, new Same(scene.assets()), () -> ErrorTable.of(scene.assets()));
+        ErrorTable table =
+                owned.shareValue(ErrorTable.class, new Identity(scene.assets()), () -> ErrorTable.of(scene.assets()));
         return ChosenTechniques.of(scene.level().environment(), columns, reach(owned, scene), table)
                 .techniques();
     }
@@ -128,7 +129,11 @@ public final class LevelRenderer {
         return owned.shareValue(
                 EyeReach.class,
                 new Places(
-                        new Same(scene.statics()), level.player(), level.portals(), level.portalGun(), level.cameras()),
+                        new Identity(scene.statics()),
+                        level.player(),
+                        level.portals(),
+                        level.portalGun(),
+                        level.cameras()),
                 () -> EyeReach.of(level, scene.statics()));
     }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.billboard.BillboardPass;
 import nephele.engine.render.pass.cloud.CloudPass;
-import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
+import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.billboard.BillboardTechnique;
 import nephele.engine.render.pass.cloud.particle.ParticleTechnique;
 import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
@@ -44,7 +44,7 @@ import nephele.engine.render.pass.upscale.UpscalePass;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
-    private static final List<CloudTechniqueDrawer.Registered> CLOUD_TECHNIQUES = List.of(
+    private static final List<CloudDrawing.Technique> CLOUD_TECHNIQUES = List.of(
             VolumeTechnique.REGISTERED,
             SkyplaneTechnique.REGISTERED,
             ProceduralTechnique.REGISTERED,

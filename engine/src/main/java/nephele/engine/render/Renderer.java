@@ -318,7 +318,7 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Drops the history of pictures after a cut: the deepest openings of the next picture take nothing from it, and its
-     * exposure is what it calls for. Views whose rays several frames share begin anew.
+     * exposure is metered from it alone. Views whose rays several frames share begin anew.
      */
     public void forget() {
         cut();

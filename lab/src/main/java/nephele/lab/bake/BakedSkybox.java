@@ -27,12 +27,12 @@ public final class BakedSkybox {
     /** Least number of places along a side of a pixel at which a disc is evaluated; along its radius there are two. */
     private static final int DISC_STEPS = 8;
 
-    /** Starlight that 8 bits do not show, as a share of white: a thirtieth of the first code. */
+    /** Starlight that 8 bits do not show, as a fraction of white: a thirtieth of the first code. */
     private static final double FAINT = 1e-5;
 
     private final int side;
     private final List<float[]> faces;
-    private final double sunShare;
+    private final double sunFraction;
     private final double whiteRadiance;
     private final EightBitLoss loss;
     private int discPixels;
@@ -40,12 +40,12 @@ public final class BakedSkybox {
     /**
      * @param side of a picture, pixels
      * @param faces linear radiance, RGB, the bottom row first; kept, not copied
-     * @param sunShare the share of the light of sun or moon that clouds let pass on its way to the eye
+     * @param sunShare the fraction of the light of sun or moon that clouds let pass on its way to the eye
      */
-    public BakedSkybox(int side, List<float[]> faces, double sunShare) {
+    public BakedSkybox(int side, List<float[]> faces, double sunFraction) {
         this.side = side;
         this.faces = List.copyOf(faces);
-        this.sunShare = sunShare;
+        this.sunFraction = sunFraction;
         whiteRadiance = white(faces);
         loss = tallied();
     }
@@ -72,20 +72,20 @@ public final class BakedSkybox {
     /**
      * Adds the sun's disc.
      *
-     * @param share of its light that passes the clouds
+     * @param fraction of its light that passes the clouds
      */
-    void add(SunDisc sun, double share) {
-        discPixels = add(sun::towards, sun.middle(), SunOverLimb.RADIUS_RADIANS, share);
+    void add(SunDisc sun, double fraction) {
+        discPixels = add(sun::towards, sun.middle(), SunOverLimb.RADIUS_RADIANS, fraction);
     }
 
     /**
      * Adds moon and stars.
      *
-     * @param share of the light from a unit direction that passes the clouds
+     * @param fraction of the light from a unit direction that passes the clouds
      */
-    void add(NightSky night, ToDoubleFunction<Vec3> share) {
+    void add(NightSky night, ToDoubleFunction<Vec3> fraction) {
         Vec3 moon = night.towardsMoon();
-        add(night::moon, moon, NightSky.MOON_RADIUS_RADIANS, share.applyAsDouble(moon));
+        add(night::moon, moon, NightSky.MOON_RADIUS_RADIANS, fraction.applyAsDouble(moon));
         IntStream.range(0, FACES).parallel().forEach(face -> {
             for (int pixel = 0; pixel < side * side; pixel++) {
                 double radians = direction(face, pixel, 1, 0.5)
@@ -94,14 +94,14 @@ public final class BakedSkybox {
                 Vec3 towards = direction(face, pixel, 0.5, 0.5);
                 Vec3 stars = night.stars(towards, radians);
                 if (stars.y() > FAINT * whiteRadiance) {
-                    add(face, pixel, stars.scaled(share.applyAsDouble(towards)));
+                    add(face, pixel, stars.scaled(fraction.applyAsDouble(towards)));
                 }
             }
         });
     }
 
     /** Adds a disc and returns the number of pixels that it is in. */
-    private int add(UnaryOperator<Vec3> disc, Vec3 towards, double radians, double share) {
+    private int add(UnaryOperator<Vec3> disc, Vec3 towards, double radians, double fraction) {
         double reach = Math.cos(radians + Math.sqrt(2) / side);
         int steps = (int) Math.max(DISC_STEPS, Math.ceil(4 / (side * radians)));
         int pixels = 0;
@@ -109,7 +109,7 @@ public final class BakedSkybox {
             for (int pixel = 0; pixel < side * side; pixel++) {
                 if (direction(face, pixel, 0.5, 0.5).dot(towards) > reach) {
                     Vec3 light = inPixel(disc, steps, face, pixel);
-                    add(face, pixel, light.scaled(share));
+                    add(face, pixel, light.scaled(fraction));
                     pixels += light.equals(Vec3.ZERO) ? 0 : 1;
                 }
             }
@@ -179,9 +179,9 @@ public final class BakedSkybox {
         return tally.loss();
     }
 
-    /** Returns the share of the light of sun or moon that clouds let pass on its way to the eye. */
-    public double sunShare() {
-        return sunShare;
+    /** Returns the fraction of the light of sun or moon that clouds let pass on its way to the eye. */
+    public double sunFraction() {
+        return sunFraction;
     }
 
     /**
@@ -198,7 +198,7 @@ public final class BakedSkybox {
         Sun sun = Daylight.onGround(old);
         Sun dimmed = sun == null
                 ? null
-                : new Sun(sun.directionTowardsSun(), sun.irradiance().scaled(sunShare), sun.castsShadow());
+                : new Sun(sun.directionTowardsSun(), sun.irradiance().scaled(sunFraction), sun.castsShadow());
         Environment environment =
                 old.withoutClouds().with(dimmed).with(new Sky.Skybox(SkyboxLayout.FACES, files, whiteRadiance));
         return lit.with(environment, lit.lights());

@@ -12,7 +12,7 @@ import java.util.Locale;
  * @param lost share of the light that is above white
  */
 public record EightBitLoss(double white, int pixels, int clipped, int dark, double brightest, double lost) {
-    /** The radiance whose code is 1, as a share of white. */
+    /** The radiance whose code is 1, as a fraction of white. */
     private static final double FIRST_CODE = 1 / (255 * 12.92);
 
     /** Counts pixels. */

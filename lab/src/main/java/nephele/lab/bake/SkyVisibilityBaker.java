@@ -37,18 +37,18 @@ public final class SkyVisibilityBaker {
         Path folder = levelFile.toAbsolutePath().getParent();
         Path baked = folder.resolve(SkyVisibilityCache.SHIPPED);
         Optional<String> name = fileNameFor(levelFile);
-        List<String> told = new ArrayList<>();
+        List<String> reported = new ArrayList<>();
         if (name.isEmpty()) {
-            told.add(levelFile + ": no sky lights its surfaces; there is nothing to bake");
+            reported.add(levelFile + ": no sky lights its surfaces; there is nothing to bake");
         } else if (Files.exists(baked.resolve(name.get()))) {
-            told.add(levelFile + ": its light is baked already");
+            reported.add(levelFile + ": its light is baked already");
         } else {
             byte[] bytes = SkyVisibilityFile.encode(SkyVisibility.bake(statics(levelFile), progress));
             AtomicFile.write(baked.resolve(name.get()), bytes);
-            told.add(baked.resolve(name.get()) + ": " + bytes.length + " bytes");
+            reported.add(baked.resolve(name.get()) + ": " + bytes.length + " bytes");
         }
-        told.addAll(prune(folder, baked));
-        return told;
+        reported.addAll(prune(folder, baked));
+        return reported;
     }
 
     private static List<String> prune(Path folder, Path baked) throws IOException {
@@ -61,14 +61,14 @@ public final class SkyVisibilityBaker {
             // What such a level needs is not known, so nothing is deleted.
             return List.of();
         }
-        List<String> told = new ArrayList<>();
+        List<String> reported = new ArrayList<>();
         for (Path file : Files.isDirectory(baked) ? bakedFiles(baked) : List.<Path>of()) {
             if (!wanted.contains(file.getFileName().toString())) {
                 Files.delete(file);
-                told.add(file + ": deleted, no level of the folder needs it");
+                reported.add(file + ": deleted, no level of the folder needs it");
             }
         }
-        return told;
+        return reported;
     }
 
     /** Returns the name of the baked file of a level; empty if no sky lights the level. */

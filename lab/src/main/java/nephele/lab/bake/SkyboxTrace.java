@@ -17,14 +17,14 @@ import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.host.named.AssetProblems;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.OpenedLevel;
 
 /**
  * Traces what an eye sees of a level's sky, clouds included, in all directions: the level without anything else, and
@@ -33,10 +33,10 @@ import nephele.engine.reference.tile.TiledPicture;
 public final class SkyboxTrace {
     private static final long SEED = 1;
 
-    /** The share of the sun's light is then known to 0.2 per cent, whatever the clouds are. */
+    /** The fraction of the sun's light is then known to 0.2 per cent, whatever the clouds are. */
     private static final int SUN_ESTIMATES = 100_000;
 
-    /** The share of a star's light is then known to 1.6 per cent. */
+    /** The fraction of a star's light is then known to 1.6 per cent. */
     private static final int STAR_ESTIMATES = 1_000;
 
     private final OpenedLevel opened;
@@ -69,13 +69,13 @@ public final class SkyboxTrace {
             throws IOException {
         List<TiledPicture> pictures = new ResumableTrace(parts, tell).run(sky, settings);
         Sun onGround = Daylight.onGround(lit);
-        double share = onGround == null
+        double fraction = onGround == null
                 ? 1
                 : sky.shareThroughClouds(eye, Directions.unit(onGround.directionTowardsSun()), SUN_ESTIMATES, SEED);
         var baked = new BakedSkybox(
-                settings.width(), pictures.stream().map(TiledPicture::rgb).toList(), share);
+                settings.width(), pictures.stream().map(TiledPicture::rgb).toList(), fraction);
         if (lit.sky() instanceof Sky.Atmosphere atmosphere) {
-            SunDisc.of(atmosphere, lit.sun(), eye).ifPresent(sun -> baked.add(sun, share));
+            SunDisc.of(atmosphere, lit.sun(), eye).ifPresent(sun -> baked.add(sun, fraction));
             NightSky.of(atmosphere, lit.sun(), eye.y())
                     .ifPresent(night ->
                             baked.add(night, towards -> sky.shareThroughClouds(eye, towards, STAR_ESTIMATES, SEED)));
@@ -92,7 +92,9 @@ public final class SkyboxTrace {
                     return new ResumableTrace.Part(
                             folder.resolve(BakedSkybox.file(name, i) + ".part"),
                             new PartHeader(
-                                    settings.tiles(), Shard.WHOLE, TracedFacts.of(opened, 0, pinhole, settings, "sky")),
+                                    settings.tiles(),
+                                    Shard.WHOLE,
+                                    TracedPictures.facts(opened, 0, pinhole, settings, "sky")),
                             pinhole);
                 })
                 .toList();

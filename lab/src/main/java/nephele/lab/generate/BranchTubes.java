@@ -10,7 +10,7 @@ import org.joml.Vector3dc;
  * at the ground the trunk widens into roots.
  *
  * @param leastMetres branches thinner than this at their start are left out
- * @param speckle the share of a tube's corners that are dark, as on a birch
+ * @param speckle the fraction of a tube's corners that are dark, as on a birch
  */
 record BranchTubes(PlantPaint paint, double leastMetres, double speckle) {
     private static final double FLARE_METRES = 0.4;

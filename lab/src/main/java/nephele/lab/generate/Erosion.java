@@ -44,8 +44,8 @@ final class Erosion {
 
     private void run(double x, double z) {
         double scale = RELIEF * side;
-        double wayX = 0;
-        double wayZ = 0;
+        double directionX = 0;
+        double directionZ = 0;
         double speed = 1;
         double water = 1;
         double load = 0;
@@ -56,17 +56,17 @@ final class Erosion {
             double v = z - row;
             double riseX = scale * mix(rise(column, row, 1, 0), rise(column, row + 1, 1, 0), v);
             double riseZ = scale * mix(rise(column, row, 0, 1), rise(column + 1, row, 0, 1), u);
-            wayX = wayX * INERTIA - riseX * (1 - INERTIA);
-            wayZ = wayZ * INERTIA - riseZ * (1 - INERTIA);
-            double length = Math.sqrt(wayX * wayX + wayZ * wayZ);
+            directionX = directionX * INERTIA - riseX * (1 - INERTIA);
+            directionZ = directionZ * INERTIA - riseZ * (1 - INERTIA);
+            double length = Math.sqrt(directionX * directionX + directionZ * directionZ);
             if (length < 1e-9) {
                 return;
             }
-            wayX /= length;
-            wayZ /= length;
+            directionX /= length;
+            directionZ /= length;
             double before = height(x, z);
-            x += wayX;
-            z += wayZ;
+            x += directionX;
+            z += directionZ;
             if (!(x >= 1 && z >= 1 && x < side - 3 && z < side - 3)) {
                 return;
             }
@@ -105,13 +105,13 @@ final class Erosion {
         for (int corner = 0; corner < 4; corner++) {
             int across = corner & 1;
             int along = corner >> 1;
-            double share = (across == 0 ? 1 - u : u) * (along == 0 ? 1 - v : v);
+            double weight = (across == 0 ? 1 - u : u) * (along == 0 ? 1 - v : v);
             int sample = at + across + along * side;
-            heights[sample] += (float) (0.5 * amount * share);
-            heights[sample - 1] += (float) (0.125 * amount * share);
-            heights[sample + 1] += (float) (0.125 * amount * share);
-            heights[sample - side] += (float) (0.125 * amount * share);
-            heights[sample + side] += (float) (0.125 * amount * share);
+            heights[sample] += (float) (0.5 * amount * weight);
+            heights[sample - 1] += (float) (0.125 * amount * weight);
+            heights[sample + 1] += (float) (0.125 * amount * weight);
+            heights[sample - side] += (float) (0.125 * amount * weight);
+            heights[sample + side] += (float) (0.125 * amount * weight);
         }
     }
 

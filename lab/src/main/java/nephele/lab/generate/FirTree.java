@@ -12,10 +12,10 @@ final class FirTree {
     private static final double LOWEST_METRES = 1.3;
     private static final double TOP_METRES = 11.6;
 
-    /** Places along a bough where its edge is, as shares of its length. */
+    /** Places along a bough where its edge is, as fractions of its length. */
     private static final double[] ALONG = {0, 0.3, 0.42, 0.68, 0.76, 1};
 
-    /** Half width of a bough there, as a share of its length: twigs make its edge jagged. */
+    /** Half width of a bough there, as a fraction of its length: twigs make its edge jagged. */
     private static final double[] WIDE = {0.05, 0.25, 0.15, 0.2, 0.09, 0};
 
     private FirTree() {}
@@ -32,14 +32,14 @@ final class FirTree {
         }
         new BranchTubes(PlantPaint.FIR_BARK, 0.01, 0).build(skeleton, radii, mesh, dice);
         for (int whorl = 0; whorl < WHORLS; whorl++) {
-            double share = StrictMath.pow((double) whorl / (WHORLS - 1), 0.92);
-            double length = 2.55 * StrictMath.pow(1 - share, 0.85) + 0.28;
-            int boughs = share > 0.8 ? 5 : share > 0.5 ? 7 : 9;
+            double fraction = StrictMath.pow((double) whorl / (WHORLS - 1), 0.92);
+            double length = 2.55 * StrictMath.pow(1 - fraction, 0.85) + 0.28;
+            int boughs = fraction > 0.8 ? 5 : fraction > 0.5 ? 7 : 9;
             double turned = dice.between(0, 6);
             for (int i = 0; i < boughs; i++) {
                 double turn = turned + 2 * StrictMath.PI * (i + dice.around(0.18)) / boughs;
-                double y = LOWEST_METRES + (TOP_METRES - LOWEST_METRES) * share + dice.around(0.12);
-                bough(new Bough(y, turn, length * dice.between(0.8, 1.12), share), mesh, dice);
+                double y = LOWEST_METRES + (TOP_METRES - LOWEST_METRES) * fraction + dice.around(0.12);
+                bough(new Bough(y, turn, length * dice.between(0.8, 1.12), fraction), mesh, dice);
             }
         }
         Vector3d tip = new Vector3d(0, 12, 0);
@@ -56,13 +56,13 @@ final class FirTree {
     /**
      * A bough.
      *
-     * @param share 0 for the lowest, 1 for the highest
+     * @param fraction 0 for the lowest, 1 for the highest
      */
-    private record Bough(double y, double turn, double length, double share) {
-        /** Returns a point: along the bough, beside it and below its spine, as shares of its length. */
+    private record Bough(double y, double turn, double length, double fraction) {
+        /** Returns a point: along the bough, beside it and below its spine, as fractions of its length. */
         Vector3d at(double along, double beside, double below) {
             // Boughs rise at the top of the tree and hang at its foot; their ends turn up.
-            double slope = 0.35 - 0.95 * (1 - share) * along + 0.55 * along * along * along - 0.25;
+            double slope = 0.35 - 0.95 * (1 - fraction) * along + 0.55 * along * along * along - 0.25;
             double flat = length * along * 0.95;
             double x = StrictMath.cos(turn);
             double z = StrictMath.sin(turn);
@@ -72,7 +72,7 @@ final class FirTree {
     }
 
     private static void bough(Bough bough, PlantMesh mesh, PlantDice dice) {
-        double tone = dice.around(0.1) + 0.12 * bough.share;
+        double tone = dice.around(0.1) + 0.12 * bough.fraction;
         int[] spine = new int[ALONG.length];
         int[][] edges = new int[2][ALONG.length];
         for (int i = 0; i < ALONG.length; i++) {

@@ -1,6 +1,7 @@
 package nephele.lab.generate;
 
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import nephele.engine.model.Mesh;
 
@@ -13,7 +14,7 @@ import nephele.engine.model.Mesh;
  * @param heightMetres from the ground to the top
  * @param grower adds the shape in any scale
  */
-public record PlantKind(Family family, String word, double heightMetres, Grower grower) {
+public record PlantKind(Family family, String word, double heightMetres, BiConsumer<PlantMesh, PlantDice> grower) {
     /** A group of kinds. */
     public enum Family {
         TREE,
@@ -32,16 +33,10 @@ public record PlantKind(Family family, String word, double heightMetres, Grower 
         }
     }
 
-    /** Adds a shape to a mesh. */
-    @FunctionalInterface
-    interface Grower {
-        void grow(PlantMesh mesh, PlantDice dice);
-    }
-
     /** Returns the mesh of a seed: the same seed always gives the same mesh. */
     public Mesh grown(long seed) {
         PlantMesh mesh = new PlantMesh();
-        grower.grow(mesh, new PlantDice(seed));
+        grower.accept(mesh, new PlantDice(seed));
         return mesh.mesh(heightMetres);
     }
 }

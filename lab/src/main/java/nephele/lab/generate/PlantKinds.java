@@ -8,15 +8,15 @@ import nephele.lab.generate.PlantKind.Family;
 /** All kinds of plants and rocks. */
 public final class PlantKinds {
     public static final List<PlantKind> ALL = List.of(
-            OakTree.KIND,
-            BirchTree.KIND,
+            LeafyPlants.OAK,
+            LeafyPlants.BIRCH,
             FirTree.KIND,
-            CypressTree.KIND,
-            LeafyBush.KIND,
-            Fern.KIND,
-            GrassTuft.KIND,
-            Boulder.KIND,
-            LayeredRock.KIND);
+            LeafyPlants.CYPRESS,
+            LeafyPlants.BUSH,
+            GroundPlants.FERN,
+            GroundPlants.GRASS,
+            Rocks.BOULDER,
+            Rocks.LEDGE);
 
     private PlantKinds() {}
 

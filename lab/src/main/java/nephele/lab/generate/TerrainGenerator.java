@@ -1,5 +1,7 @@
 package nephele.lab.generate;
 
+import nephele.engine.asset.HeightMap;
+import nephele.engine.asset.HeightMapFile;
 import nephele.engine.math.SeededNoise;
 
 /**
@@ -92,5 +94,18 @@ public final class TerrainGenerator {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = (heights[i] - least) / range;
         }
+    }
+
+    /**
+     * Returns the file of square heights.
+     *
+     * @param heights 0 to 1, row by row
+     */
+    public static byte[] png(float[] heights, int side) {
+        short[] values = new short[side * side];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = (short) Math.round(HeightMap.FULL_SCALE * Math.max(0, Math.min(1, heights[i])));
+        }
+        return HeightMapFile.png(new HeightMap(side, side, 16, values));
     }
 }

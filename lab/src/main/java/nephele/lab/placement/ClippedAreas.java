@@ -95,9 +95,9 @@ public final class ClippedAreas {
                 kept[size++] = polygon[i + 1];
             }
             if (side >= 0 != next >= 0) {
-                double share = side / (side - next);
-                kept[size++] = polygon[i] + share * (polygon[j] - polygon[i]);
-                kept[size++] = polygon[i + 1] + share * (polygon[j + 1] - polygon[i + 1]);
+                double fraction = side / (side - next);
+                kept[size++] = polygon[i] + fraction * (polygon[j] - polygon[i]);
+                kept[size++] = polygon[i + 1] + fraction * (polygon[j + 1] - polygon[i + 1]);
             }
         }
         return java.util.Arrays.copyOf(kept, size);

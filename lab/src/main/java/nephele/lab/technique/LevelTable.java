@@ -114,7 +114,7 @@ public final class LevelTable {
     }
 
     private List<Row> rows(GlContext gl, Cloud cloud, CloudSituation at) {
-        List<SeenSky> skies = skies(cloud);
+        List<SkyView> skies = skies(cloud);
         List<TracedSky> traced = new ArrayList<>();
         skies.forEach(sky -> traced.add(TracedSky.of(sky, samples)));
         for (int i = skies.size() - 1; i >= 0; i--) {
@@ -131,10 +131,10 @@ public final class LevelTable {
             double error = 0;
             double cost = 0;
             for (int i = 0; i < skies.size(); i++) {
-                SeenSky sky = skies.get(i);
+                SkyView sky = skies.get(i);
                 var placed = sky.drawnBy(technique);
                 error = Math.max(error, traced.get(i).errorPercent(DrawnSky.picture(gl, sky, placed)));
-                cost += CloudCost.of(gl, sky, placed, watch) / skies.size();
+                cost += DrawnSky.cloudCost(gl, sky, placed, watch) / skies.size();
             }
             rows.add(row(cloud, technique, at, error, cost));
         }
@@ -157,9 +157,9 @@ public final class LevelTable {
     }
 
     /** Returns the cloud seen by some of the level's cameras, or from the player's start if there is none. */
-    private List<SeenSky> skies(Cloud cloud) {
+    private List<SkyView> skies(Cloud cloud) {
         Level level = opened.level();
-        double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
+        double aspect = (double) SkyView.WIDTH / SkyView.HEIGHT;
         List<View> views = new ArrayList<>();
         for (Camera camera : level.cameras().stream().limit(MOST_CAMERAS).toList()) {
             views.add(View.ofCamera(camera, 0, aspect));
@@ -169,8 +169,8 @@ public final class LevelTable {
         }
         Environment environment = alone(level.environment()).withClouds(List.of(cloud));
         Level open = Level.of(level.name(), "", environment, level.cameras()).with(level.player(), null);
-        List<SeenSky> skies = new ArrayList<>();
-        views.forEach(view -> skies.add(new SeenSky(open, opened.assets(), view)));
+        List<SkyView> skies = new ArrayList<>();
+        views.forEach(view -> skies.add(new SkyView(open, opened.assets(), view)));
         return skies;
     }
 

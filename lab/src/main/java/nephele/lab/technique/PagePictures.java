@@ -6,10 +6,13 @@ import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.host.draw.Outputs;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Hash64;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
@@ -18,11 +21,8 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.draw.Outputs;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
-import nephele.lab.trade.CodeHash;
-import nephele.lab.trade.EmbeddedPicture;
+import nephele.lab.trade.Provenance;
+import nephele.lab.trade.Pictures;
 
 /** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
 final class PagePictures implements HandoutPage.Source, AutoCloseable {
@@ -44,7 +44,7 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
 
     @Override
     public Optional<String> address(PictureCommand command) throws IOException {
-        String key = command.words() + " " + width + "x" + height + " " + CodeHash.key();
+        String key = command.words() + " " + width + "x" + height + " " + Provenance.codeHash();
         Path file = folder.resolve("page-" + Long.toHexString(Hash64.of(key)) + ".png");
         if (!Files.exists(file)) {
             OpenedLevel opened;
@@ -57,7 +57,7 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
             tell.println("picture: " + command.words());
             draw(command, opened, file);
         }
-        return Optional.of(EmbeddedPicture.address(file));
+        return Optional.of(Pictures.dataAddress(file));
     }
 
     private void draw(PictureCommand command, OpenedLevel opened, Path file) throws IOException {

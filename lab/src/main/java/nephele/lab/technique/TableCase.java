@@ -1,5 +1,6 @@
 package nephele.lab.technique;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.choice.CloudColumns;
@@ -15,13 +16,18 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.Weather;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
 
 /**
- * One node of the table of errors: a cloud of a form with a mean optical depth, at a distance, in the light of a sun.
+ * A node of the table of errors: a cloud of a form with a mean optical depth, at a distance, in the light of a sun. There is one
+ * for each form of cloud that a level can have, thin to thick, far to near or around the eye, low sun to high.
  *
  * @param cloud as a sample level has it, with other random numbers
  * @param angularDegrees its least extent seen from the eye
@@ -45,6 +51,13 @@ public record TableCase(
     public static final Sky SKY = new Sky.Constant(new Vec3(0.12, 0.2, 0.35));
 
     private static final long OTHER_SEEDS = 100;
+
+    private static final double[] DEPTHS = {0.3, 4, 40};
+    private static final double[] LAYER_ANGLES = {5, 30, 75};
+    private static final double[] ANGLES = {5, 30, INSIDE_DEGREES};
+    private static final double[] SUNS = {6, 45};
+    private static final List<String> SAMPLES =
+            List.of("ellipsoid", "puffs", "grid", "noise", "image", "cumulonimbus", "cumulus", "stratus", "image-grey");
 
     /** Returns the form of the cloud as the table names it. */
     public String form() {
@@ -84,16 +97,16 @@ public record TableCase(
     }
 
     /** Returns the cloud alone, at the distance at which it has its extent. */
-    public SeenSky sky() {
+    public SkyView sky() {
         Cloud other = otherSeed(cloud);
         Cloud placed = with(other, extent());
         double depth = CloudColumns.meanDepth(
                 LoadedClouds.of(environment(placed), assets).flat(0));
         Cloud scaled = placed.withExtinction(placed.extinctionPerMetre() * opticalDepth / depth);
-        double aspect = (double) SeenSky.WIDTH / SeenSky.HEIGHT;
+        double aspect = (double) SkyView.WIDTH / SkyView.HEIGHT;
         Vec3 eye = new Vec3(0, EYE_METRES, 0);
         View view = Viewpoints.between(eye, eye.plus(ahead()), fovDegrees(), aspect);
-        return SeenSky.alone("case", environment(scaled), assets, view);
+        return SkyView.alone("case", environment(scaled), assets, view);
     }
 
     private static Cloud otherSeed(Cloud cloud) {
@@ -187,5 +200,64 @@ public record TableCase(
         double radius = size.length() / 2;
         double middle = Math.max(middleMetres(size), radius * 0.7);
         return Math.min(100, Math.toDegrees(2 * Math.atan(radius / middle)));
+    }
+
+    /** Returns all nodes in the order of the table. */
+    public static List<TableCase> all() {
+        List<TableCase> nodes = new ArrayList<>();
+        OpenedLevel first = sample(SAMPLES.get(0));
+        for (String name : SAMPLES) {
+            OpenedLevel opened = sample(name);
+            add(nodes, opened.level().environment().clouds().get(0), opened.assets());
+        }
+        Cloud lens = first.level().environment().clouds().get(0);
+        add(nodes, layer(lens), first.assets());
+        for (Weather weather : List.of(Weather.CIRRUS, Weather.STORM)) {
+            List<Cloud> clouds = WeatherClouds.of(weather, 1);
+            add(nodes, clouds.get(clouds.size() - 1), first.assets());
+        }
+        return nodes;
+    }
+
+    /** Returns a node for each form and some optical depths. */
+    public static List<TableCase> at(double angularDegrees, double sunDegrees, double... depths) {
+        List<TableCase> nodes = new ArrayList<>();
+        for (TableCase at : all()) {
+            for (double depth : at.opticalDepth() == DEPTHS[0] ? depths : new double[0]) {
+                if (at.angularDegrees() == angularDegrees && at.sunDegrees() == sunDegrees) {
+                    nodes.add(new TableCase(at.cloud(), at.assets(), depth, angularDegrees, sunDegrees));
+                }
+            }
+        }
+        return nodes;
+    }
+
+    private static OpenedLevel sample(String name) {
+        return new LevelName("levels/samples/clouds-" + name + ".json").open();
+    }
+
+    private static Cloud layer(Cloud lens) {
+        return new Cloud(
+                lens.id(),
+                new Cloud.Extent.Layer(1000, 400),
+                lens.technique(),
+                lens.density(),
+                lens.extinctionPerMetre(),
+                lens.albedo(),
+                lens.phaseG());
+    }
+
+    private static void add(List<TableCase> nodes, Cloud cloud, AssetSource assets) {
+        double[] angles = cloud.extent() instanceof Cloud.Extent.Layer ? LAYER_ANGLES : ANGLES;
+        for (double depth : DEPTHS) {
+            for (double angle : angles) {
+                for (double sun : SUNS) {
+                    var at = new TableCase(cloud, assets, depth, angle, sun);
+                    if (at.exists()) {
+                        nodes.add(at);
+                    }
+                }
+            }
+        }
     }
 }

@@ -42,7 +42,7 @@ public final class TableMaker {
 
     /** Measures what the file does not have and returns the table. */
     public ErrorTable make(DoubleConsumer progress) throws IOException {
-        List<TableCase> nodes = TableCases.all();
+        List<TableCase> nodes = TableCase.all();
         try (GlContext gl = GlContext.offscreen()) {
             for (int i = 0; i < nodes.size(); i++) {
                 TableCase at = nodes.get(i);
@@ -73,7 +73,7 @@ public final class TableMaker {
     }
 
     private void measure(GlContext gl, TableCase at, List<CloudTechnique> techniques) {
-        SeenSky sky = at.sky();
+        SkyView sky = at.sky();
         TracedSky exact = traced.of(sky, samples(at));
         for (CloudTechnique technique : techniques) {
             LinearPicture drawn = DrawnSky.picture(gl, sky, sky.drawnBy(technique));
@@ -85,7 +85,7 @@ public final class TableMaker {
                     at.angularDegrees(),
                     at.sunDegrees(),
                     exact.size() == 0 ? 0 : exact.errorPercent(drawn),
-                    Double.isNaN(cost) ? CloudCost.of(gl, sky, sky.drawnBy(technique), watch) : cost));
+                    Double.isNaN(cost) ? DrawnSky.cloudCost(gl, sky, sky.drawnBy(technique), watch) : cost));
         }
     }
 

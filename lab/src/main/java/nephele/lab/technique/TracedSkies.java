@@ -81,7 +81,7 @@ public final class TracedSkies {
     }
 
     /** Returns the picture of a sky, kept with at least as many samples a pixel or else traced. */
-    public TracedSky of(SeenSky sky, int samples) {
+    public TracedSky of(SkyView sky, int samples) {
         String key = key(sky);
         Kept found = kept.get(key);
         if (found != null && found.samples() >= samples) {
@@ -144,7 +144,7 @@ public final class TracedSkies {
     }
 
     /** Returns 128 bits that depend on the sky's clouds and their pictures, its light and the view, all to six digits. */
-    static String key(SeenSky sky) {
+    static String key(SkyView sky) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
             digest.update(rounded(LevelJson.write(sky.level())).getBytes(StandardCharsets.UTF_8));

@@ -13,10 +13,10 @@ public record TracedSky(LinearPicture first, LinearPicture second, boolean[] clo
     /** Pixels along each side of a block. */
     private static final int BLOCK = 4;
 
-    static final int WIDTH = SeenSky.WIDTH / BLOCK;
-    static final int HEIGHT = SeenSky.HEIGHT / BLOCK;
+    static final int WIDTH = SkyView.WIDTH / BLOCK;
+    static final int HEIGHT = SkyView.HEIGHT / BLOCK;
 
-    static TracedSky of(SeenSky sky, int samples) {
+    static TracedSky of(SkyView sky, int samples) {
         return new TracedSky(
                 sky.traced(samples / 2, 1).reduced(BLOCK),
                 sky.traced(samples / 2, 2).reduced(BLOCK),
@@ -26,7 +26,7 @@ public record TracedSky(LinearPicture first, LinearPicture second, boolean[] clo
     private static boolean[] blocks(boolean[] pixels) {
         int[] counts = new int[pixels.length / (BLOCK * BLOCK)];
         for (int pixel = 0; pixel < pixels.length; pixel++) {
-            int block = pixel % SeenSky.WIDTH / BLOCK + WIDTH * (pixel / SeenSky.WIDTH / BLOCK);
+            int block = pixel % SkyView.WIDTH / BLOCK + WIDTH * (pixel / SkyView.WIDTH / BLOCK);
             counts[block] += pixels[pixel] ? 1 : 0;
         }
         boolean[] blocks = new boolean[counts.length];

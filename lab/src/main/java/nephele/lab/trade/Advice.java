@@ -143,8 +143,8 @@ final class Advice {
     }
 
     private static String saving(SettingFindings cheap, SettingFindings dear) {
-        double share = cheap.ratio().estimate() / dear.ratio().estimate();
-        return share > 0.995 ? "the same cost" : Numbers.percent(1 - share) + " less";
+        double fraction = cheap.ratio().estimate() / dear.ratio().estimate();
+        return fraction > 0.995 ? "the same cost" : Numbers.percent(1 - fraction) + " less";
     }
 
     private double enough() {

@@ -29,10 +29,10 @@ record Axis(double low, double high, double start, double end, boolean isLogarit
     }
 
     double pixel(double value) {
-        double share = isLogarithmic
+        double fraction = isLogarithmic
                 ? Math.log(Math.max(value, low) / low) / Math.log(high / low)
                 : (value - low) / (high - low);
-        return start + share * (end - start);
+        return start + fraction * (end - start);
     }
 
     /** Returns round values: spaced by 1, 2 or 5 times a power of ten, or powers of ten on a logarithmic axis. */

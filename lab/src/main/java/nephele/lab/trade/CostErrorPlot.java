@@ -3,6 +3,7 @@ package nephele.lab.trade;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * A plot of cost (x) against error (y); the best corner is the lower left. Bars are intervals of 95 %. The line joins
@@ -21,7 +22,8 @@ final class CostErrorPlot {
     private final Findings findings;
     private final Axis cost;
     private final Axis error;
-    private final Svg svg = new Svg();
+    /** The shapes so far. Colours come from classes, so that a page can be light or dark. */
+    private final StringBuilder svg = new StringBuilder();
     /** Left, top, right and bottom of the rectangles that labels must not cover. */
     private final List<double[]> taken = new ArrayList<>();
 
@@ -43,32 +45,32 @@ final class CostErrorPlot {
         error = Axis.ofErrors(worst, HEIGHT - BOTTOM, TOP);
     }
 
-    /** @param style see {@link Svg#document} */
+    /** @param style see {@link #document} */
     static String of(Findings findings, String style) {
         var plot = new CostErrorPlot(findings);
         plot.axes();
         plot.front();
         plot.settings();
         String title = findings.trade().text().title() + ": cost against error";
-        return plot.svg.document(WIDTH, HEIGHT, title, style);
+        return plot.document(WIDTH, HEIGHT, title, style);
     }
 
     private void axes() {
         for (double tick : cost.ticks()) {
-            svg.line("grid", cost.pixel(tick), TOP, cost.pixel(tick), HEIGHT - BOTTOM);
-            svg.text("tick", cost.pixel(tick), HEIGHT - BOTTOM + 18, "middle", Numbers.of(tick));
+            line("grid", cost.pixel(tick), TOP, cost.pixel(tick), HEIGHT - BOTTOM);
+            text("tick", cost.pixel(tick), HEIGHT - BOTTOM + 18, "middle", Numbers.of(tick));
         }
         for (double tick : error.ticks()) {
-            svg.line("grid", LEFT, error.pixel(tick), WIDTH - RIGHT, error.pixel(tick));
-            svg.text("tick", LEFT - 8, error.pixel(tick) + 4, "end", Numbers.of(tick));
+            line("grid", LEFT, error.pixel(tick), WIDTH - RIGHT, error.pixel(tick));
+            text("tick", LEFT - 8, error.pixel(tick) + 4, "end", Numbers.of(tick));
         }
-        svg.line("axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
-        svg.line("axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
+        line("axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
+        line("axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
         var trade = findings.trade();
         String costWords = trade.cost().name() + ", " + trade.cost().unit() + costScale();
-        svg.text("label", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, "middle", costWords + " →");
+        text("label", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, "middle", costWords + " →");
         String unit = trade.error().unit();
-        svg.upwardText(
+        upwardText(
                 "label",
                 18,
                 (TOP + HEIGHT - BOTTOM) / 2,
@@ -85,10 +87,10 @@ final class CostErrorPlot {
                 .filter(SettingFindings::isOnFront)
                 .sorted(Comparator.comparingDouble(setting -> setting.cost().estimate()))
                 .forEach(setting -> d.append(d.length() == 0 ? "M" : " L")
-                        .append(Svg.n(x(setting)))
+                        .append(n(x(setting)))
                         .append(' ')
-                        .append(Svg.n(y(setting))));
-        svg.path("front", d.toString());
+                        .append(n(y(setting))));
+        path("front", d.toString());
     }
 
     private void settings() {
@@ -100,16 +102,16 @@ final class CostErrorPlot {
 
     private void draw(SettingFindings setting) {
         String kind = setting.isOnFront() ? "good" : "dominated";
-        svg.line(
+        line(
                 "interval " + kind,
                 cost.pixel(setting.cost().low()),
                 y(setting),
                 cost.pixel(setting.cost().high()),
                 y(setting));
         if (setting == findings.recommended()) {
-            svg.circle("ring", x(setting), y(setting), 10, "recommended");
+            circle("ring", x(setting), y(setting), 10, "recommended");
         }
-        svg.circle("point " + kind, x(setting), y(setting), 5, title(setting));
+        circle("point " + kind, x(setting), y(setting), 5, title(setting));
         label(setting, kind);
     }
 
@@ -138,9 +140,9 @@ final class CostErrorPlot {
         }
         taken.add(new double[] {left, bottom - LINE, left + width, bottom});
         if (bottom < y(setting) - 20) {
-            svg.line("leader", x(setting), y(setting) - 8, left + width / 2, bottom + 3);
+            line("leader", x(setting), y(setting) - 8, left + width / 2, bottom + 3);
         }
-        svg.text("name " + kind, left + width / 2, bottom, "middle", words);
+        text("name " + kind, left + width / 2, bottom, "middle", words);
     }
 
     private boolean isTaken(double left, double bottom, double width) {
@@ -154,5 +156,52 @@ final class CostErrorPlot {
 
     private double y(SettingFindings setting) {
         return error.pixel(setting.error());
+    }
+
+    private void line(String style, double x1, double y1, double x2, double y2) {
+        add("<line class=\"%s\" x1=\"%s\" y1=\"%s\" x2=\"%s\" y2=\"%s\"/>", style, n(x1), n(y1), n(x2), n(y2));
+    }
+
+    private void path(String style, String d) {
+        add("<path class=\"%s\" d=\"%s\"/>", style, d);
+    }
+
+    /** @param title shown when the pointer is over the circle */
+    private void circle(String style, double x, double y, double radius, String title) {
+        add(
+                "<circle class=\"%s\" cx=\"%s\" cy=\"%s\" r=\"%s\"><title>%s</title></circle>",
+                style, n(x), n(y), n(radius), HtmlDocument.text(title));
+    }
+
+    /** @param anchor start, middle or end */
+    private void text(String style, double x, double y, String anchor, String words) {
+        add(
+                "<text class=\"%s\" x=\"%s\" y=\"%s\" text-anchor=\"%s\">%s</text>",
+                style, n(x), n(y), anchor, HtmlDocument.text(words));
+    }
+
+    /** Writes text that is rotated by 90° to the left about its middle. */
+    private void upwardText(String style, double x, double y, String words) {
+        add(
+                "<text class=\"%s\" transform=\"translate(%s %s) rotate(-90)\" text-anchor=\"middle\">%s</text>",
+                style, n(x), n(y), HtmlDocument.text(words));
+    }
+
+    private void add(String format, Object... values) {
+        svg.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    /** Formats pixels to a tenth. */
+    private static String n(double value) {
+        return String.format(Locale.ROOT, "%.1f", value);
+    }
+
+    /** @param style content of the picture's style element; empty within a page that has its own */
+    private String document(double width, double height, String title, String style) {
+        String box = n(width) + " " + n(height);
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + box
+                + "\" role=\"img\">\n<title>"
+                + HtmlDocument.text(title) + "</title>\n" + (style.isEmpty() ? "" : "<style>\n" + style + "</style>\n") + svg
+                + "</svg>\n";
     }
 }

@@ -25,7 +25,7 @@ final class HtmlPage {
                 title,
                 "<header>\n<h1>" + text(title) + "</h1>\n<p class=\"lead\">" + LEAD + "</p>\n" + facts(made, all)
                         + "</header>\n<main>\n" + opening + glance(all) + body + "</main>\n" + footer() + "<script>\n"
-                        + PageFile.read("page.js") + "</script>\n");
+                        + HtmlDocument.resource("page.js") + "</script>\n");
     }
 
     private static String facts(Circumstances made, List<Findings> all) {

@@ -110,9 +110,9 @@ final class HtmlSubject {
         var hidden = new StringBuilder();
         for (int setting = 0; setting < trade.settings().size(); setting++) {
             String name = trade.settings().get(setting).name();
-            String shown = EmbeddedPicture.address(pictures.shown(trade, setting));
+            String shown = Pictures.dataAddress(pictures.shown(trade, setting));
             hidden.append(hidden(setting, "shown", name, shown));
-            String error = EmbeddedPicture.address(pictures.error(trade, setting));
+            String error = Pictures.dataAddress(pictures.error(trade, setting));
             hidden.append(hidden(setting, "flip", name + ": where it differs", error));
         }
         int picked = findings.settings().indexOf(findings.recommended());
@@ -130,7 +130,7 @@ final class HtmlSubject {
                 <input type="range" min="0" max="100" value="50" step="0.1" aria-label="Wipe between exact and setting"></div>
                 <div class="all" hidden>%s</div></div>
                 """
-                .formatted(buttons, HeatColours.gradient(), EmbeddedPicture.address(pictures.exact(trade)), hidden);
+                .formatted(buttons, Pictures.heatGradient(), Pictures.dataAddress(pictures.exact(trade)), hidden);
     }
 
     private static String hidden(int setting, String kind, String caption, String address) {
@@ -139,6 +139,6 @@ final class HtmlSubject {
     }
 
     private static String text(String plain) {
-        return Svg.escaped(plain);
+        return HtmlDocument.text(plain);
     }
 }

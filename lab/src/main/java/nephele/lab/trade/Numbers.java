@@ -38,8 +38,8 @@ public final class Numbers {
     }
 
     /** Formats a fraction as whole per cent. */
-    static String percent(double share) {
-        return String.format(Locale.ROOT, "%.0f %%", 100 * share);
+    static String percent(double fraction) {
+        return String.format(Locale.ROOT, "%.0f %%", 100 * fraction);
     }
 
     /** Formats a factor with two decimals below 10, one below 100, none above. */

@@ -1,5 +1,13 @@
 package nephele.lab.trade;
 
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import java.io.ByteArrayOutputStream;
+import java.util.Base64;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,6 +18,13 @@ import nephele.engine.render.Capture;
 
 /** The files of the report's pictures. */
 public final class Pictures {
+    /** Red, green, blue at even steps of error from 0 to 1. */
+    private static final int[][] HEAT_STOPS = {
+        {0, 0, 4}, {40, 17, 90}, {114, 31, 129}, {183, 55, 121}, {240, 96, 93}, {254, 176, 120}, {252, 253, 191}
+    };
+
+    private static final float JPEG_QUALITY = 0.93f;
+
     private final Path folder;
 
     public Pictures(Path reportFolder) {
@@ -57,9 +72,46 @@ public final class Pictures {
         var image = new BufferedImage(map.width(), map.height(), BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < map.height(); y++) {
             for (int x = 0; x < map.width(); x++) {
-                image.setRGB(x, map.height() - 1 - y, HeatColours.of(map.error()[y * map.width() + x]));
+                image.setRGB(x, map.height() - 1 - y, heatColour(map.error()[y * map.width() + x]));
             }
         }
         return image;
+    }
+
+    /** Returns a picture as the address of an image element. */
+    public static String dataAddress(Path png) throws IOException {
+        BufferedImage picture = ImageIO.read(png.toFile());
+        var bytes = new ByteArrayOutputStream();
+        var writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        try (var stream = new MemoryCacheImageOutputStream(bytes)) {
+            writer.setOutput(stream);
+            var parameters = writer.getDefaultWriteParam();
+            parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+            parameters.setCompressionQuality(JPEG_QUALITY);
+            writer.write(null, new IIOImage(picture, null, null), parameters);
+        } finally {
+            writer.dispose();
+        }
+        return "data:image/jpeg;base64," + Base64.getEncoder().encodeToString(bytes.toByteArray());
+    }
+
+    /** @param error clamped to 0–1 */
+    static int heatColour(double error) {
+        double at = Math.min(Math.max(error, 0), 1) * (HEAT_STOPS.length - 1);
+        int stop = Math.min((int) at, HEAT_STOPS.length - 2);
+        int colour = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double low = HEAT_STOPS[stop][channel];
+            double high = HEAT_STOPS[stop + 1][channel];
+            colour = colour << 8 | (int) Math.rint(low + (at - stop) * (high - low));
+        }
+        return colour;
+    }
+
+    /** Returns the stops of a CSS gradient, from 0 to 1. */
+    static String heatGradient() {
+        return Arrays.stream(HEAT_STOPS)
+                .map(stop -> "rgb(" + stop[0] + "," + stop[1] + "," + stop[2] + ")")
+                .collect(Collectors.joining(","));
     }
 }

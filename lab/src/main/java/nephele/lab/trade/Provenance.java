@@ -1,5 +1,10 @@
 package nephele.lab.trade;
 
+import java.io.File;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import nephele.engine.math.Hash64;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -55,5 +60,41 @@ public final class Provenance {
             Thread.currentThread().interrupt();
             return "";
         }
+    }
+
+    /** Computed once, because the code of a running program does not change. */
+    private static final class Running {
+        private static final String KEY =
+                codeHash(Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                        .filter(entry -> !entry.isEmpty())
+                        .map(Path::of)
+                        .toList());
+    }
+
+    /** Returns a hash of everything on the class path: classes, shaders and libraries. */
+    public static String codeHash() {
+        return Running.KEY;
+    }
+
+    /**
+     * Returns a hash of the relative names and the content of files, and of the files in folders. The folder's location
+     * and modification times do not enter.
+     *
+     * @param classPath files and folders; a path that does not exist counts as empty
+     */
+    static String codeHash(List<Path> classPath) {
+        long hash = 0;
+        for (Path entry : classPath) {
+            try (Stream<Path> files = Files.exists(entry) ? Files.walk(entry) : Stream.empty()) {
+                for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+                    String name = entry.relativize(file).toString();
+                    hash = Hash64.combine(hash, Hash64.of(name));
+                    hash = Hash64.combine(hash, Hash64.of(Files.readAllBytes(file)));
+                }
+            } catch (IOException unreadable) {
+                throw new UncheckedIOException(unreadable);
+            }
+        }
+        return Long.toHexString(hash);
     }
 }

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
-import nephele.lab.bake.LevelHash;
+import nephele.lab.bake.TracedPictures;
 import nephele.lab.trade.SubjectState.Judged;
 
 /** Measures the subjects one after the other and saves each result, so that an interrupted run can be resumed. */
@@ -64,8 +64,8 @@ public final class TradeRun {
 
     /** Returns everything besides the subject that results depend on: results under another key do not count. */
     private String key(Trade trade) {
-        String elsewhere = trade.level() == null ? "" : " " + LevelHash.key(new LevelName(trade.level()).open());
-        return "code " + CodeHash.key() + "; level " + LevelHash.key(opened) + elsewhere + "; " + seen.camera() + "; "
+        String elsewhere = trade.level() == null ? "" : " " + TracedPictures.levelHash(new LevelName(trade.level()).open());
+        return "code " + Provenance.codeHash() + "; level " + TracedPictures.levelHash(opened) + elsewhere + "; " + seen.camera() + "; "
                 + request.extent() + "; slice " + request.sliceSeconds() + "; " + Provenance.machine();
     }
 

@@ -8,9 +8,6 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
-import nephele.host.named.AssetProblems;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -20,13 +17,14 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
+import nephele.host.named.AssetProblems;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
-import nephele.lab.bake.LevelHash;
-import nephele.lab.bake.PinholeViews;
 import nephele.lab.bake.TracedPictures;
 
 /**
- * The environment in which subjects are measured: a level, a view of it and one OpenGL context. The oracle's pictures
+ * The environment in which subjects are measured: a level, a view of it and one OpenGL context. Reference pictures
  * are kept between runs.
  */
 public final class TradeSite implements AutoCloseable {
@@ -38,7 +36,7 @@ public final class TradeSite implements AutoCloseable {
     private GlContext gl;
 
     /**
-     * The size of pictures and the quality of the oracle's.
+     * The size of pictures and the quality of the reference picture's.
      *
      * @param samples rays a pixel
      */
@@ -124,12 +122,12 @@ public final class TradeSite implements AutoCloseable {
      * Returns the exact twin's radiance of this view, bottom row first; traced at the first call and then read from the
      * folder.
      */
-    public LinearPicture oracle() {
+    public LinearPicture reference() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        var eye = PinholeViews.of(seen.view());
-        return new TracedPictures(folder, CodeHash.key())
-                .picture(LevelHash.key(opened), eye, settings, () -> trace(eye, settings));
+        var eye = TracedPictures.pinhole(seen.view());
+        return new TracedPictures(folder, Provenance.codeHash())
+                .picture(TracedPictures.levelHash(opened), eye, settings, () -> trace(eye, settings));
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {

@@ -15,15 +15,15 @@ final class CountedWarnings implements Consumer<String> {
     private static final Pattern PLACED = Pattern.compile("(.*?:\\d+): (.*)", Pattern.DOTALL);
 
     private final Map<String, Kind> kinds = new LinkedHashMap<>();
-    private Consumer<String> told;
+    private Consumer<String> listener;
 
     private record Kind(String first, int count) {}
 
     /** Adds a warning of the form {@code FILE:LINE: MESSAGE}; others are kinds of their own. */
     @Override
     public void accept(String warning) {
-        if (told != null) {
-            told.accept(warning);
+        if (listener != null) {
+            listener.accept(warning);
             return;
         }
         Matcher placed = PLACED.matcher(warning);
@@ -35,7 +35,7 @@ final class CountedWarnings implements Consumer<String> {
 
     /** Passes on a line for each kind, in the order of their first warnings; later warnings are passed on at once. */
     void tell(Consumer<String> lines) {
-        told = lines;
+        listener = lines;
         kinds.values().forEach(kind -> lines.accept(kind.first + MessageText.times(kind.count)));
     }
 }

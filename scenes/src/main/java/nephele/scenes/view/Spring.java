@@ -34,12 +34,12 @@ public record Spring(double right, double ahead, double most, double idleSeconds
 
     /** Returns the present displacement to the right, units. */
     public double shownRight() {
-        return right * share();
+        return right * fraction();
     }
 
     /** Returns the present displacement along the view, units. */
     double shownAhead() {
-        return ahead * share();
+        return ahead * fraction();
     }
 
     /** @param seconds a time that is not positive and finite changes nothing */
@@ -98,7 +98,7 @@ public record Spring(double right, double ahead, double most, double idleSeconds
     }
 
     /** Returns the remaining fraction of the displacement. */
-    private double share() {
+    private double fraction() {
         double t = (idleSeconds - PAUSE_SECONDS) / RETURN_SECONDS;
         return t <= 0 ? 1 : t < 1 ? (1 - t) * (1 - t) * (1 + 2 * t) : 0;
     }

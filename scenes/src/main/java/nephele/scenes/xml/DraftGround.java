@@ -140,9 +140,9 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         double nearZ =
                 Math.max(box.minZ() + 1, Math.min(box.maxZ() - 1, eye.position().z()));
         for (int step = 0; step <= STEPS_ASIDE; step++) {
-            double share = (double) step / STEPS_ASIDE;
-            double x = middle.x() + share * (nearX - middle.x());
-            double z = middle.z() + share * (nearZ - middle.z());
+            double fraction = (double) step / STEPS_ASIDE;
+            double x = middle.x() + fraction * (nearX - middle.x());
+            double z = middle.z() + fraction * (nearZ - middle.z());
             if (!isTaken(x, box.maxY() + GAP_METRES, z)) {
                 return Optional.of(new PlayerStart(new Vec3(x, box.maxY() + GAP_METRES, z), yaw(x, z), 0));
             }

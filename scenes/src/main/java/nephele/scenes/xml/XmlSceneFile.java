@@ -1,5 +1,6 @@
 package nephele.scenes.xml;
 
+import nephele.engine.asset.TextFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -38,7 +39,7 @@ public final class XmlSceneFile {
      */
     public static XmlScene read(String file, byte[] utf8) throws ModelFileException {
         SceneWarnings remarks = new SceneWarnings(file);
-        XmlElement tree = XmlTree.read(XmlText.of(utf8, remarks), remarks);
+        XmlElement tree = XmlTree.read(text(utf8, remarks), remarks);
         Dialect dialect = XmlTree.dialect(tree);
         XmlGroup root = new GroupReader(dialect, remarks).root(tree);
         if (!holdsModels(root)) {
@@ -77,5 +78,25 @@ public final class XmlSceneFile {
                 .findFirst()
                 .orElse(warnings.get(0));
         return remarks.error(cause.line(), "it holds no model; " + cause.message(), "mend this first");
+    }
+
+    /** The text of a scene, without zero characters. */
+    private static String text(byte[] bytes, SceneWarnings warnings) {
+        if (bytes.length > MOST_BYTES) {
+            int mebibytes = MOST_BYTES >> 20;
+            throw warnings.error(0, "the file has more than " + mebibytes + " MiB", "split the scene");
+        }
+        try {
+            String text = TextFile.text(bytes);
+            int zero = text.indexOf('\0');
+            if (zero >= 0) {
+                int line = 1
+                        + (int) text.chars().limit(zero).filter(c -> c == '\n').count();
+                throw warnings.error(line, "the file holds zero bytes instead of text", "restore it");
+            }
+            return text;
+        } catch (TextFile.NotUtf8 noText) {
+            throw warnings.error(noText.line(), "it can't be read", noText.getMessage());
+        }
     }
 }

@@ -1,5 +1,6 @@
 package nephele.scenes.xml;
 
+import java.util.Map;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -8,6 +9,10 @@ import java.util.List;
  * supports no document types and expands only the five entities of XML and character numbers.
  */
 final class XmlTags {
+    private static final Map<String, String> ENTITIES =
+            Map.of("lt", "<", "gt", ">", "amp", "&", "quot", "\"", "apos", "'");
+    private static final int LONGEST_ENTITY = 10;
+
     /** Start and end tags together. */
     private static final int MOST_TAGS = 500_000;
 
@@ -195,7 +200,7 @@ final class XmlTags {
             if (end < letters.length && letters[end] == quote) {
                 String quoted = string(at, end);
                 at = end + 1;
-                return XmlEntities.expanded(quoted, lineHere(), warnings);
+                return withoutEntities(quoted, lineHere(), warnings);
             }
         }
         unquoted.add(name);
@@ -203,7 +208,7 @@ final class XmlTags {
         while (at < letters.length && !endsValue()) {
             at++;
         }
-        return XmlEntities.expanded(string(start, at), lineHere(), warnings);
+        return withoutEntities(string(start, at), lineHere(), warnings);
     }
 
     private boolean endsValue() {
@@ -252,6 +257,42 @@ final class XmlTags {
     private void skipBlanks() {
         while (at < letters.length && letters[at] <= ' ') {
             at++;
+        }
+    }
+
+    /** Decodes the five entities of XML and character numbers; any other name stays as text. */
+    private static String withoutEntities(String value, int line, SceneWarnings warnings) {
+        int ampersand = value.indexOf('&');
+        if (ampersand < 0) {
+            return value;
+        }
+        StringBuilder text = new StringBuilder(value.length());
+        int done = 0;
+        for (; ampersand >= 0; ampersand = value.indexOf('&', done)) {
+            text.append(value, done, ampersand);
+            int end = value.indexOf(';', ampersand);
+            boolean complete = end > 0 && end - ampersand <= LONGEST_ENTITY;
+            String meant = complete ? entity(value.substring(ampersand + 1, end)) : null;
+            if (meant == null) {
+                warnings.warn(line, "'&' begins no known entity: it is taken as it stands");
+            }
+            text.append(meant == null ? "&" : meant);
+            done = meant == null ? ampersand + 1 : end + 1;
+        }
+        return text.append(value, done, value.length()).toString();
+    }
+
+    private static String entity(String name) {
+        if (!name.startsWith("#")) {
+            return ENTITIES.get(name);
+        }
+        boolean hexadecimal = name.startsWith("#x");
+        try {
+            int code = Integer.parseInt(name.substring(hexadecimal ? 2 : 1), hexadecimal ? 16 : 10);
+            boolean sign = code >= ' ' && Character.isValidCodePoint(code) && (code < 0xd800 || code > 0xdfff);
+            return sign ? Character.toString(code) : null;
+        } catch (NumberFormatException noNumber) {
+            return null;
         }
     }
 }

@@ -101,12 +101,12 @@ final class XmlTree {
             warnings.warn(
                     left.line(),
                     () -> "<" + left.name() + "> is not closed: it ends before "
-                            + (before == null ? "the file's end" : told(before)));
+                            + (before == null ? "the file's end" : described(before)));
             remove(i);
         }
     }
 
-    private static String told(XmlTag tag) {
+    private static String described(XmlTag tag) {
         return (tag.kind() == XmlTag.Kind.CLOSE ? "</" : "<") + tag.name() + "> in line " + tag.line();
     }
 

@@ -34,10 +34,13 @@ import nephele.engine.level.Language;
 import nephele.workshop.prove.editor.PaintedPanel;
 import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The dialogues without a display: search lists, forms, and the choice of an asset. */
+@Execution(ExecutionMode.SAME_THREAD)
 class DialogsSwingTest {
     private static final DocumentFile.Opened LEVEL = DocumentFile.open("levels/02-first-shot.json");
 

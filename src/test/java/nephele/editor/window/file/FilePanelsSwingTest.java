@@ -53,10 +53,13 @@ import nephele.workshop.prove.editor.CutTexts;
 import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The dialogues about files, painted and used without a display. */
+@Execution(ExecutionMode.SAME_THREAD)
 class FilePanelsSwingTest {
     private static final Instant NOW = Instant.parse("2026-01-02T14:02:05Z");
 

@@ -10,8 +10,11 @@ import nephele.app.ChildJvm;
 import nephele.app.VirtualDisplay;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The dialogues about files in a real window, answered with the mouse. */
+@Execution(ExecutionMode.SAME_THREAD)
 class WindowFilesSwingTest {
     @TempDir
     Path folder;

@@ -27,10 +27,13 @@ import nephele.engine.level.Language;
 import nephele.workshop.prove.editor.PaintedPanel;
 import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The settings page without a display. */
+@Execution(ExecutionMode.SAME_THREAD)
 class SettingsPageSwingTest {
     private EditorSession session;
     private SettingsPage page;

@@ -118,7 +118,7 @@ class ShadingCloudsTest {
             density.add(DensityCells.of(new Waves(), grid.box(level, new LayerGrid.Column(0, 0)), Sampling.PLAIN));
         }
         var depths = new StackDepths(density, true);
-        var crossing = new LayerCrossing(density, depths, LIGHT);
+        var crossing = new ShadingCloud.LayerCrossing(density, depths, LIGHT);
         double greatest = 0;
         for (int n = 0; n < 200; n++) {
             double x = 7.3 * n - 700;

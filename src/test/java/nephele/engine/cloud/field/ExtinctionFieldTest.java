@@ -188,12 +188,12 @@ class ExtinctionFieldTest {
 
     @Test
     void anErrorFunctionIsThatOfTheTables() {
-        assertEquals(0, ErrorFunction.erf(0));
-        assertEquals(0.5204998778130465, ErrorFunction.erf(0.5), 1e-15);
-        assertEquals(-0.8427007929497149, ErrorFunction.erf(-1), 1e-15);
-        assertEquals(0.9953222650189527, ErrorFunction.erf(2), 1e-15);
-        assertEquals(0.9999779095030014, ErrorFunction.erf(3), 1e-15);
-        assertEquals(ErrorFunction.erf(Math.nextDown(2.5)), ErrorFunction.erf(Math.nextUp(2.5)), 1e-15);
-        assertEquals(1, ErrorFunction.erf(Double.POSITIVE_INFINITY));
+        assertEquals(0, GaussianPuff.erf(0));
+        assertEquals(0.5204998778130465, GaussianPuff.erf(0.5), 1e-15);
+        assertEquals(-0.8427007929497149, GaussianPuff.erf(-1), 1e-15);
+        assertEquals(0.9953222650189527, GaussianPuff.erf(2), 1e-15);
+        assertEquals(0.9999779095030014, GaussianPuff.erf(3), 1e-15);
+        assertEquals(GaussianPuff.erf(Math.nextDown(2.5)), GaussianPuff.erf(Math.nextUp(2.5)), 1e-15);
+        assertEquals(1, GaussianPuff.erf(Double.POSITIVE_INFINITY));
     }
 }

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.List;
 import nephele.engine.asset.AssetException;
-import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
 import nephele.engine.level.json.LevelJsonTest;
 import org.junit.jupiter.api.Test;
@@ -35,7 +35,7 @@ class LoadedCloudsTest {
         List<CloudMedium> media = media(CLOUDS, 0);
         assertEquals(4, media.size());
         assertEquals(0.9, media.get(0).albedo());
-        assertEquals(new HenyeyGreenstein(0.85), media.get(1).phase());
+        assertEquals(CloudOptics.of(1, 0.85), media.get(1).phase());
         assertInstanceOf(UniformField.class, media.get(0).field());
         assertInstanceOf(NoiseField.class, media.get(3).field());
     }

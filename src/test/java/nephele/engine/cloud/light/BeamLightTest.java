@@ -1,5 +1,6 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.render.frame.Quality.PuffLight;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -62,9 +63,9 @@ class BeamLightTest {
 
     @ParameterizedTest
     @EnumSource(
-            value = BallLight.class,
+            value = PuffLight.class,
             names = {"DOBASHI", "HARRIS"})
-    void theNumberOfParticlesChangesNothing(BallLight model) {
+    void theNumberOfParticlesChangesNothing(PuffLight model) {
         BeamLight light = model.beam(PEAKED);
         for (double depth : new double[] {1e-6, 0.1, 1, 10, 1e4}) {
             Blended one = Blended.of(light, depth, 1, 3);

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.cloud.drawn.SkyplaneShape;
+import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.cloud.field.PuffsField;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -26,6 +26,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.TestInstance.Lifecycle;
@@ -35,6 +36,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Clouds of soft balls that are drawn from pictures of them. */
 @TestInstance(Lifecycle.PER_CLASS)
+@Order(1) // one of the longest
 class ImpostorGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
@@ -195,8 +197,8 @@ class ImpostorGlTest {
                         0.85))
                 .level();
         try (var large = RenderTarget.picture(offscreen.gl, "large", PixelFormat.RGBA8, 444, 250);
-                Renderer renderer =
-                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
+                Renderer renderer = LevelRenderer.load(
+                        offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, EXACT))) {
             List<Long> counts = new ArrayList<>();
             for (int frame = 0; frame < 5; frame++) {
                 offscreen.gl.state().resetCounts();

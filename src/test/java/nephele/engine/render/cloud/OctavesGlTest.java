@@ -12,7 +12,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.TwinProgram;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.pass.cloud.procedural.OctaveUniforms;
+import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -65,7 +65,7 @@ class OctavesGlTest {
             inputs[4 * i + 1] = (float) random.nextDouble(-9000, 9000);
             inputs[4 * i + 2] = 1e6f;
         }
-        float[] results = TwinProgram.run(gl, shader, inputs, COUNT, uniforms -> OctaveUniforms.of(uniforms)
+        float[] results = TwinProgram.run(gl, shader, inputs, COUNT, uniforms -> uniforms.record(ProceduralTechnique.Octaves.class)
                 .put(sheet, eye, seconds));
         double mean = 0;
         for (int i = 0; i < COUNT; i++) {

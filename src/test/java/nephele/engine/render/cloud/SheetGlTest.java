@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.cloud.drawn.SkyplaneShape;
+import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;

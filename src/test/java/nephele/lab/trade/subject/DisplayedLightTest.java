@@ -24,7 +24,7 @@ class DisplayedLightTest {
 
     @Test
     void codesAreDecoded() {
-        var light = DisplayedLight.of(picture(0, 10, 128, 253), 2, 2, 1);
+        var light = Footage.displayedLight(picture(0, 10, 128, 253), 2, 2, 1);
         for (int i = 0; i < 12; i++) {
             assertEquals(light(new int[] {0, 10, 128, 253}[i / 3] + i % 3), light.rgb()[i], 1e-6);
         }
@@ -33,7 +33,7 @@ class DisplayedLightTest {
     /** Black and white make 0.5 of the light, not of the code; boxes do not mix. */
     @Test
     void boxesAreAveragedInLinearLight() {
-        var mean = DisplayedLight.of(picture(0, 0, 100, 200, 253, 253, 100, 200), 2, 1, 2);
+        var mean = Footage.displayedLight(picture(0, 0, 100, 200, 253, 253, 100, 200), 2, 1, 2);
         assertEquals(2, mean.width());
         assertEquals(1, mean.height());
         float[] expected = new float[6];

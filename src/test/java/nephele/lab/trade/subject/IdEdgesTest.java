@@ -20,7 +20,7 @@ class IdEdgesTest {
             rgba.putInt(id);
         }
         var marks = new StringBuilder();
-        for (boolean near : IdEdges.near(rgba, 5, 4)) {
+        for (boolean near : EdgeExperiment.nearEdges(rgba, 5, 4)) {
             marks.append(near ? '#' : '.');
         }
         assertEquals("###.." + "###.." + "#####" + "...##", marks.toString());

@@ -38,11 +38,11 @@ class PlantExperimentGlTest {
         List<Judgement> found = new ArrayList<>();
         try (TradeSite site = site(PlantedTrees.opened());
                 PlantExperiment experiment = new PlantExperiment(site)) {
-            for (PlantWay way : PlantWay.values()) {
+            for (PlantExperiment.Technique way : PlantExperiment.Technique.values()) {
                 found.add(experiment.judge(way.ordinal()));
             }
             double without = errorWithoutTrees(site);
-            for (PlantWay way : PlantWay.values()) {
+            for (PlantExperiment.Technique way : PlantExperiment.Technique.values()) {
                 Judgement judged = found.get(way.ordinal());
                 assertEquals(PlantExperiment.FIGURES.size(), judged.figures().size());
                 assertTrue(judged.error() < 0.7 * without, way + " errs " + judged.error() + ", no trees " + without);
@@ -52,11 +52,16 @@ class PlantExperimentGlTest {
         for (int i = 0; i < found.size(); i++) {
             for (int other = 0; other < i; other++) {
                 double apart = Math.abs(found.get(i).error() - found.get(other).error());
-                assertTrue(apart > 1e-4, PlantWay.values()[i] + " is " + PlantWay.values()[other]);
+                assertTrue(
+                        apart > 1e-4,
+                        PlantExperiment.Technique.values()[i] + " is " + PlantExperiment.Technique.values()[other]);
             }
         }
-        double meshes = found.get(PlantWay.MESHES.ordinal()).error();
-        for (PlantWay way : List.of(PlantWay.SPRITES, PlantWay.CROSSED, PlantWay.IMPOSTORS)) {
+        double meshes = found.get(PlantExperiment.Technique.MESHES.ordinal()).error();
+        for (PlantExperiment.Technique way : List.of(
+                PlantExperiment.Technique.SPRITES,
+                PlantExperiment.Technique.CROSSED,
+                PlantExperiment.Technique.IMPOSTORS)) {
             assertTrue(found.get(way.ordinal()).error() > meshes, way + " errs less than meshes");
         }
     }
@@ -74,7 +79,7 @@ class PlantExperimentGlTest {
                 Setting.of("bare"),
                 shot -> shot.with(
                         shot.level().with(shot.level().materials(), shot.level().solids(), List.of(), List.of())));
-        try (var pictures = new PictureExperiment(site, List.of(bare), Compared.RADIANCE)) {
+        try (var pictures = new PictureExperiment(site, List.of(bare), ComparedValues.RADIANCE)) {
             return pictures.judge(0).error();
         }
     }

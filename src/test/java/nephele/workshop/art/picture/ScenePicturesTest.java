@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import nephele.workshop.art.paint.PixelLetters;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -89,7 +88,7 @@ class ScenePicturesTest {
         assertEquals(0xff27a35a, grid.getRGB(511, 256), "right");
         assertEquals(0xff2f62d8, grid.getRGB(256, 0), "top");
         assertEquals(0xfff0c020, grid.getRGB(256, 511), "bottom");
-        assertTrue(PixelLetters.hasDot(7, 4, 1) && !PixelLetters.hasDot(7, 0, 1), "a seven leans to the right");
+        assertTrue(NumberedGrid.hasDot(7, 4, 1) && !NumberedGrid.hasDot(7, 0, 1), "a seven leans to the right");
     }
 
     private static BufferedImage committed(PictureRecipe recipe) throws IOException {

@@ -30,7 +30,7 @@ class CloudReferenceProofTest {
         for (int channel = 0; channel < 3; channel++) {
             AreaComparison.Bias bias = comparison.bias(channel);
             assertTrue(Math.abs(bias.sigmas()) <= 4, bias.toString());
-            assertTrue(Math.abs(bias.share()) <= 0.1, bias.toString());
+            assertTrue(Math.abs(bias.fraction()) <= 0.1, bias.toString());
         }
     }
 

@@ -9,7 +9,6 @@ import nephele.engine.level.Cloud;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.lab.technique.TableCase;
-import nephele.lab.technique.TableCases;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
@@ -38,7 +37,7 @@ class TechniqueProofsGlTest {
 
     @Test
     void eyeOfTheLastAngleIsInsideEachFiniteCloud() {
-        List<TableCase> nodes = TableCases.all();
+        List<TableCase> nodes = TableCase.all();
         assertEquals(12, nodes.stream().map(TableCase::form).distinct().count());
         for (TableCase at : nodes) {
             if (at.isCrossed()) {

@@ -7,8 +7,11 @@ import java.util.List;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A short session of random input; {@code prove editor-events} has a hundred long ones. */
+@Execution(ExecutionMode.SAME_THREAD)
 class EditorEventsSwingTest {
     @Test
     void noInputBreaksTheEditor() throws Exception {

@@ -7,8 +7,11 @@ import java.util.List;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Two looks of the editor, few of them painted; {@code prove editor-pictures} paints all. */
+@Execution(ExecutionMode.SAME_THREAD)
 class EditorPicturesSwingTest {
     @Test
     void noTextIsCutOff() throws Exception {

@@ -7,8 +7,11 @@ import java.util.List;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** One level with a sky, its air and a cloud; {@code prove editor-stalls} has the dear ones. */
+@Execution(ExecutionMode.SAME_THREAD)
 class EditorStallsSwingTest {
     @Test
     void theWindowsThreadAnswersWhileALevelIsDrawn() throws Exception {

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The proof {@code portal-ids} holds for two cameras of each level: one at a portal, one along a wall. */
 class PortalIdsProofGlTest {
     static List<String> levels() {
-        return SeenLevels.all();
+        return ComparedLevel.files();
     }
 
     @ParameterizedTest

@@ -12,6 +12,7 @@ import java.util.List;
 import nephele.engine.render.Capture;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The proof {@code portal-light} holds for one camera of small pictures, in levels with little approximation. */
+@Order(1) // one of the longest
 class PortalLightProofGlTest {
     private static final String FOG = "levels/samples/fog.json";
     private static final String PRISM = "levels/samples/solid-prism.json";

@@ -16,15 +16,17 @@ import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
 /**
- * The file docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}, after them those of the editor, which the
- * lab does not know. A new result replaces the old row.
+ * The file docs/proofs.md: one row a proof; failing rows first, then those that state a part of their count, else in the order of
+ * {@link Proofs#ALL}. A new result replaces the old row.
  */
 public final class ProofTable {
     private static final String HEAD =
             """
             # Proofs
 
-            `nephele prove` writes this table. Each row is the last run of one proof, at full count unless the row states a part of it. `nephele prove NAME` repeats the proof.
+            `nephele prove` writes this table. Each row is the last run of one proof, at full count unless the row states a part of it. `nephele prove NAME` repeats the proof. Failing rows come first, then those of a part.
+
+            `gradle/proofs.sh` says how old the rows are: it counts, for each, the commits since the row's own that touched one of the proof's packages.
 
             | proof | claim | count | failures | figures | date | commit | machine |
             |---|---|---|---|---|---|---|---|
@@ -45,8 +47,15 @@ public final class ProofTable {
         rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
         rows.add(row(proof, result, found));
         var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
-        rows.sort(Comparator.comparingInt(row -> place(order.indexOf(nameOf(row)))));
+        rows.sort(Comparator.comparingInt(ProofTable::rank)
+                .thenComparingInt(row -> place(order.indexOf(nameOf(row)))));
         AtomicFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Returns 0 for a row with failures, 1 for one that states a part of its count, 2 for the others. */
+    private static int rank(String row) {
+        String[] cells = row.split(" \\| ");
+        return !cells[3].equals("0") ? 0 : cells[2].matches("[0-9,]+ of [0-9,]+ .*") ? 1 : 2;
     }
 
     private static int place(int index) {

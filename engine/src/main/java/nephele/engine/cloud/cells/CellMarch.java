@@ -1,5 +1,6 @@
 package nephele.engine.cloud.cells;
 
+import nephele.engine.math.Aabb;
 import java.util.List;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.ExtinctionField;
@@ -19,11 +20,19 @@ public final class CellMarch {
     /** Metres of a step per metre of distance. */
     private static final double GROWTH = 0.01;
 
+    /** Part of a box's reach, as a logarithm, in which the next one takes over. */
+    private static final double FADING = 0.25;
+
     private final CellStack cloud;
     private final OutsideOfCloud outside;
     private final List<CellPlace> dense;
     private final List<CellPlace> lit;
-    private final FocusedStack boxes;
+    private final double focusX;
+    private final double focusZ;
+    /** The box that serves the last place, and the weight of the next wider one. */
+    private int level;
+
+    private double next;
     private final Vec3 diffuseAxis;
     private final ExtinctionField exact;
     private final double[] light = new double[LightCells.VALUES];
@@ -68,7 +77,8 @@ public final class CellMarch {
                 .map(cells -> new CellPlace(cells.cells()))
                 .toList();
         lit = cloud.light().stream().map(cells -> new CellPlace(cells.cells())).toList();
-        boxes = new FocusedStack(cloud, focus.x(), focus.z());
+        focusX = focus.x();
+        focusZ = focus.z();
         diffuseAxis = cloud.diffuseAxis(outside.towardsSun());
     }
 
@@ -93,7 +103,7 @@ public final class CellMarch {
         covered = 0;
         lightAt = 0;
         fetches = 0;
-        StackSpan inside = boxes.span(ray);
+        StackSpan inside = span(ray);
         double start = Math.max(fromMetres, inside.fromMetres());
         double end = Math.min(toMetres, inside.toMetres());
         double turned = 2 - 2 * dot(ray, outside.towardsSun());
@@ -157,9 +167,9 @@ public final class CellMarch {
                     ray.originX() + at * ray.directionX(), height(ray, at), ray.originZ() + at * ray.directionZ());
         }
         findBox(ray, at);
-        double density = density(boxes.level(), ray, at);
-        if (boxes.next() > 0) {
-            density += boxes.next() * (density(boxes.level() + 1, ray, at) - density);
+        double density = density(level, ray, at);
+        if (next > 0) {
+            density += next * (density(level + 1, ray, at) - density);
         }
         return density * cloud.greatestPerMetre();
     }
@@ -172,9 +182,9 @@ public final class CellMarch {
 
     private void findLight(Ray ray, double at) {
         findBox(ray, at);
-        findLight(boxes.level(), ray, at, 1);
-        if (boxes.next() > 0) {
-            findLight(boxes.level() + 1, ray, at, boxes.next());
+        findLight(level, ray, at, 1);
+        if (next > 0) {
+            findLight(level + 1, ray, at, next);
         }
     }
 
@@ -188,8 +198,26 @@ public final class CellMarch {
         }
     }
 
+    /** Finds the box of a place, as {@code boxOf} in {@code cell-boxes.glsl} does. */
     private void findBox(Ray ray, double at) {
-        boxes.at(ray.originX() + at * ray.directionX(), ray.originZ() + at * ray.directionZ());
+        double atX = ray.originX() + at * ray.directionX();
+        double atZ = ray.originZ() + at * ray.directionZ();
+        double wide = Math.max(1e-6, Math.max(Math.abs(atX - focusX), Math.abs(atZ - focusZ)) / cloud.reachMetres());
+        double widenings = Math.log(wide) / Math.log(CellStack.WIDENING);
+        level = Math.min(cloud.levels() - 1, (int) Math.ceil(Math.max(0, widenings) - 1e-6));
+        double fade = (widenings - level + FADING) / FADING;
+        next = level + 1 < cloud.levels() ? Math.max(0, Math.min(1, fade)) : 0;
+    }
+
+    /** Returns the part of a ray that the boxes serve. */
+    private StackSpan span(Ray ray) {
+        Aabb box = cloud.narrowest().box();
+        if (!cloud.isLayer()) {
+            return StackSpan.of(box, cloud.planetRadiusMetres(), ray);
+        }
+        double reach = cloud.reachMetres() * Math.pow(CellStack.WIDENING, cloud.levels() - 1);
+        var served = new Aabb(focusX - reach, box.minY(), focusZ - reach, focusX + reach, box.maxY(), focusZ + reach);
+        return StackSpan.of(served, cloud.planetRadiusMetres(), ray);
     }
 
     /** Fills up what the early end has left. */

@@ -1,8 +1,8 @@
 package nephele.engine.cloud.cells;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.cloud.light.DiffuseAxis;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -48,7 +48,7 @@ public record CellStack(
     }
 
     /**
-     * Returns the axis along which diffuse light flows, see {@link DiffuseAxis}.
+     * Returns the axis along which diffuse light flows, see {@link CloudLight#diffuseAxis}.
      *
      * @param towardsSun unit
      */
@@ -57,7 +57,7 @@ public record CellStack(
     }
 
     static Vec3 diffuseAxis(boolean isLayer, CellBox cells, Vec3 towardsSun) {
-        return isLayer ? DiffuseAxis.ofLayer(towardsSun) : DiffuseAxis.of(cells.box(), towardsSun);
+        return isLayer ? CloudLight.diffuseAxisOfLayer(towardsSun) : CloudLight.diffuseAxis(cells.box(), towardsSun);
     }
 
     /** Returns the least optical depth from a place to the outside along an axis; 0 outside of the boxes. */
@@ -101,5 +101,34 @@ public record CellStack(
     /** Returns the extinction that density 1 stands for. */
     public double greatestPerMetre() {
         return density.get(0).greatestPerMetre();
+    }
+
+    /**
+     * Puts a slice of a box at this time and a later one as texels: density now, distance divided by {@link
+     * DensityCells#FARTHEST}, what absorption leaves, density later.
+     */
+    public void putDensity(CellStack later, int box, int k, ByteBuffer texels) {
+        DensityCells before = density.get(box);
+        DensityCells after = later.density.get(box);
+        CellBox cells = before.cells();
+        LightCells lightOfBox = light.get(box);
+        boolean absorbs = physics.optics().albedo() < 1;
+        var lit = new CellPlace(lightOfBox.cells());
+        float[] values = lightOfBox.values();
+        for (int j = 0; j < cells.ny(); j++) {
+            for (int i = 0; i < cells.nx(); i++) {
+                int at = cells.index(i, j, k);
+                double left = 1;
+                if (absorbs) {
+                    lit.at(cells.centreX(i), cells.centreY(j), cells.centreZ(k));
+                    left = lit.of(values, LightCells.VALUES, 3) + lit.of(values, LightCells.VALUES, 4);
+                }
+                int distance = Math.min(before.distances()[at], after.distances()[at]);
+                texels.put((byte) Math.round(255 * before.densities()[at]))
+                        .put((byte) (255 * distance / DensityCells.FARTHEST))
+                        .put((byte) Math.round(255 * Math.min(1, left)))
+                        .put((byte) Math.round(255 * after.densities()[at]));
+            }
+        }
     }
 }

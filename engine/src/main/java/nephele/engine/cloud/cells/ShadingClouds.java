@@ -46,7 +46,7 @@ public final class ShadingClouds {
     public List<ShadingCloud> on(int shaded) {
         var met = new BitSet();
         for (Towards towards : Towards.values()) {
-            for (int cloud : BoxesAhead.of(index, bounds.get(shaded), towards.direction(light))) {
+            for (int cloud : ShadingCloud.ahead(index, bounds.get(shaded), towards.direction(light))) {
                 met.set(cloud);
             }
         }

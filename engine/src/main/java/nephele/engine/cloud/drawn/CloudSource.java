@@ -21,7 +21,6 @@ import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.field.ShellField;
 import nephele.engine.cloud.field.UniformField;
 import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.cloud.octave.OctaveColumns;
 import nephele.engine.cloud.octave.OctaveSheet;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.Cloud;
@@ -57,11 +56,14 @@ public final class CloudSource {
     private final OctaveSheet sheet;
 
     private final boolean isProfiled;
-    private final LitBoxes litBoxes;
+    private final Map<LightKey, LightCells> lit = new LinkedHashMap<>(16, 0.75f, true);
     private final Map<BoxKey, SampledBox> sampled = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param column {@code null} for a finite cloud */
     private record BoxKey(int level, Column column, double seconds) {}
+
+    /** What the light in a box depends on. @param density in the box and in all wider ones */
+    private record LightKey(List<DensityCells> density, LightCells.Around around) {}
 
     /**
      * @param plan {@code null} unless of noise with a profile
@@ -90,7 +92,6 @@ public final class CloudSource {
         bounds = isFinite ? cells.box() : field.bounds();
         sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, division.octaves()) : null;
         isProfiled = sheet == null && noise(0) != null;
-        litBoxes = new LitBoxes(!isFinite, physics, KEPT * levels());
     }
 
     /** An ellipsoid's cells end outside of it: at its tips, an eye would otherwise meet half a cell's density at once. */
@@ -271,12 +272,101 @@ public final class CloudSource {
         return field instanceof NoiseField || field instanceof UniformField ? cloud.extinctionPerMetre() : 0;
     }
 
-    /** Returns its cells in some light. */
+    /**
+     * Returns its cells in some light. That of a box is found again only if this box, a wider one, the sun or a cloud that
+     * shades it has changed: a cloud that drifts keeps its light, and so do the wider boxes while the narrowest one moves.
+     */
     CellStack lit(List<DensityCells> density, LightCells.Around around) {
-        List<LightCells> light = litBoxes.of(density, around);
+        List<LightCells> light = new ArrayList<>();
+        for (int box = 0; box < density.size(); box++) {
+            light.add(light(new LightKey(List.copyOf(density.subList(box, density.size())), around)));
+        }
         return grid == null
                 ? CellStack.finite(density.get(0), light.get(0), physics)
                 : CellStack.layer(
                         density, light, physics, isShell ? Air.PLANET_RADIUS_METRES : Double.POSITIVE_INFINITY);
+    }
+
+    /** Finds the light without a lock, so that a frame that needs another box's does not wait for it. */
+    private LightCells light(LightKey key) {
+        synchronized (lit) {
+            LightCells known = lit.get(key);
+            if (known != null) {
+                return known;
+            }
+        }
+        LightCells light = LightCells.of(key.density, grid != null, physics, key.around);
+        synchronized (lit) {
+            lit.put(key, light);
+            if (lit.size() > KEPT * levels()) {
+                lit.remove(lit.keySet().iterator().next());
+            }
+        }
+        return light;
+    }
+
+    /** The columns of a noise with a profile, in the places of its field. */
+    private static final class NoiseColumns implements DensityCells.Columns {
+        private final NoiseField field;
+        private final ProfiledNoise noise;
+
+        private NoiseColumns(NoiseField field) {
+            this.field = field;
+            noise = (ProfiledNoise) field.density();
+        }
+
+        @Override
+        public double depth(double x, double z) {
+            return noise.bodyDepth(x - field.origin().x(), z - field.origin().z());
+        }
+
+        @Override
+        public double greatestDepth(double x, double z, double halfX, double halfZ) {
+            return noise.greatestBodyDepth(
+                    x - field.origin().x(), z - field.origin().z(), halfX, halfZ);
+        }
+
+        @Override
+        public double leastDepth(double fromY, double toY) {
+            return noise.leastDepth(fromY - field.origin().y(), toY - field.origin().y());
+        }
+
+        @Override
+        public double perMetre(double depth, double x, double y, double z) {
+            return field.extinctionPerMetre()
+                    * noise.at(
+                            depth,
+                            x - field.origin().x(),
+                            y - field.origin().y(),
+                            z - field.origin().z());
+        }
+    }
+
+    /**
+     * The columns of octaves of noise at one time, even from base to top. All of them count as cloud, so that there is light
+     * wherever the finer noise of a drawn sheet is.
+     *
+     * @param perMetre extinction of the greatest optical depth
+     */
+    private record OctaveColumns(OctaveSheet sheet, double seconds, double perMetre) implements DensityCells.Columns {
+        @Override
+        public double depth(double x, double z) {
+            return sheet.at(x, z, seconds);
+        }
+
+        @Override
+        public double greatestDepth(double x, double z, double halfX, double halfZ) {
+            return 1;
+        }
+
+        @Override
+        public double leastDepth(double fromY, double toY) {
+            return 0;
+        }
+
+        @Override
+        public double perMetre(double depth, double x, double y, double z) {
+            return depth * perMetre;
+        }
     }
 }

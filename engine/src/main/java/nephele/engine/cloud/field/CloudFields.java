@@ -96,11 +96,7 @@ public final class CloudFields {
     private static ProfiledNoise profiled(
             Cloud.Density.Noise noise, CloudMoment moment, NoiseLayouts noises, Coverage coverage) {
         HeightProfile profile = HeightProfile.of(noise.profile(), noise.anvil());
-        Aabb box = moment.bounds();
-        SideWalls walls = moment.isLayer()
-                ? null
-                : new SideWalls((box.maxX() - box.minX()) / 2, (box.maxZ() - box.minZ()) / 2, profile.spread());
-        var bodies = new CloudBodies(noises, coverage, profile, walls);
+        var bodies = new CloudBodies(noises, coverage, profile, moment.isLayer() ? null : moment.bounds());
         return new ProfiledNoise(profile, bodies, noises, noise.erosion(), moment.heightMetres());
     }
 

@@ -3,9 +3,8 @@ package nephele.engine.cloud.field;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
-import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.cloud.PhaseFunction;
-import nephele.engine.cloud.TwoLobes;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Cloud;
 
 /**
@@ -31,14 +30,6 @@ public record CloudMedium(ExtinctionField field, double albedo, PhaseFunction ph
 
     /** Returns the medium of a cloud of a level with its field at some time. */
     static CloudMedium of(Cloud cloud, ExtinctionField field) {
-        return new CloudMedium(field, cloud.albedo(), phase(cloud));
-    }
-
-    private static PhaseFunction phase(Cloud cloud) {
-        var forward = new HenyeyGreenstein(cloud.phaseG());
-        Cloud.BackLobe back = cloud.backLobe();
-        return back.phaseBackShare() == 0
-                ? forward
-                : new TwoLobes(forward, new HenyeyGreenstein(back.phaseBackG()), back.phaseBackShare());
+        return new CloudMedium(field, cloud.albedo(), CloudOptics.of(cloud));
     }
 }

@@ -1,10 +1,12 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.cloud.light.CloudOptics;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongFunction;
+import java.util.stream.IntStream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
@@ -25,6 +27,13 @@ import nephele.engine.math.Vec3;
  * same seed share their tables. Immutable.
  */
 public final class LoadedClouds {
+    /** Columns along x and z by which the light on the plain is found. */
+    private static final int COLUMNS_ACROSS = 13;
+
+    private static final double COLUMN_SPACING_METRES = 1500;
+    private static final int COLUMN_ROWS = 16;
+    private static final double LEAST_SUN_SINE = 0.05;
+
     private final List<Cloud> clouds;
     private final List<Weather> weathers;
     private final WeatherCourse course;
@@ -144,7 +153,8 @@ public final class LoadedClouds {
     }
 
     /**
-     * Returns the share of its light that the clouds leave the plain around a place, on the mean.
+     * Returns the fraction of its light that the clouds leave the plain around a place, on the mean: what the ground throws
+     * back at them. Columns are independent slabs after Eddington (Shettle and Weinman 1970), with τ (1 − ω g) for their depth.
      *
      * @param seconds simulated time
      * @param sunSine of the sun's elevation
@@ -155,7 +165,33 @@ public final class LoadedClouds {
         for (int i = 0; i < clouds.size(); i++) {
             fields.add(CloudFields.flat(present(i, seconds), files.get(i), seconds, 0));
         }
-        return GroundShade.share(GroundShade.present(clouds, fields, seconds), place, sunSine, groundAlbedo);
+        double mu = Math.max(LEAST_SUN_SINE, sunSine);
+        double transmitted = 0;
+        double diffuse = 0;
+        int count = COLUMNS_ACROSS * COLUMNS_ACROSS;
+        for (int n = 0; n < count; n++) {
+            double x = place.x() + (n % COLUMNS_ACROSS - COLUMNS_ACROSS / 2) * COLUMN_SPACING_METRES;
+            double z = place.z() + (n / COLUMNS_ACROSS - COLUMNS_ACROSS / 2) * COLUMN_SPACING_METRES;
+            double depth = IntStream.range(0, fields.size())
+                    .mapToDouble(i -> isotropicDepth(clouds.get(i), fields.get(i), seconds, x, z))
+                    .sum();
+            double left = Math.exp(-depth / mu);
+            transmitted += (2.0 / 3 + mu + (2.0 / 3 - mu) * left) / (4.0 / 3 + depth) / count;
+            diffuse += 1 / (1 + 0.75 * depth) / count;
+        }
+        return transmitted / (1 - groundAlbedo * (1 - diffuse));
+    }
+
+    /** Returns the vertical depth of a column of a cloud, as isotropic scattering of the same effect. */
+    private static double isotropicDepth(Cloud cloud, ExtinctionField field, double seconds, double x, double z) {
+        CloudMoment moment = CloudMoment.of(cloud, seconds);
+        double base = moment.bounds().minY();
+        double row = moment.heightMetres() / COLUMN_ROWS;
+        double sum = 0;
+        for (int j = 0; j < COLUMN_ROWS; j++) {
+            sum += field.perMetre(x, base + (j + 0.5) * row, z) * row;
+        }
+        return sum * (1 - cloud.albedo() * CloudOptics.of(cloud).meanCosine());
     }
 
     private ExtinctionField field(Cloud cloud, CloudFiles loaded, double seconds) {

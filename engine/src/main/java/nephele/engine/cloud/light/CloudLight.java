@@ -1,5 +1,7 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.math.Vec3;
+import nephele.engine.math.Aabb;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.TwoStreamSlab;
 import nephele.engine.work.SwingThread;
@@ -11,6 +13,9 @@ import nephele.engine.work.SwingThread;
 public final class CloudLight {
     /** The slab of the two-stream solution is lit at least at this angle. */
     private static final double LEAST_COSINE = 0.05;
+
+    /** Sine of the sun's elevation below which the flow through a layer turns around gradually. */
+    private static final double TURNING_SINE = 0.1;
 
     /** Mean diffuse radiance deep under the side of a thick cloud that the sun lights at a right angle. */
     private static final double BRIGHTEST = 5 / (4 * Math.PI);
@@ -35,7 +40,7 @@ public final class CloudLight {
      *
      * @param sunDepth optical depth towards the sun
      * @param diffuseMean mean radiance of diffuse sunlight per unit irradiance, I₀
-     * @param diffuseSlope what is added to it along the {@link DiffuseAxis} and subtracted against it, I₁ without the part
+     * @param diffuseSlope what is added to it along the {@link #diffuseAxis} and subtracted against it, I₁ without the part
      *     that follows the beam
      * @param fromAbove share of the upper sky's mean radiance that reaches the point
      * @param fromBelow share of the lower one's
@@ -71,7 +76,7 @@ public final class CloudLight {
      *
      * @param sunDepth optical depth from the point towards the sun
      * @param shadeDepth optical depth from the point away from the sun
-     * @param axisCosine cosine of the angle between the beam and the {@link DiffuseAxis}, times the length of this
+     * @param axisCosine cosine of the angle between the beam and the {@link #diffuseAxis}, times the length of this
      */
     public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth, double axisCosine) {
         double through = sunDepth + shadeDepth;
@@ -147,5 +152,27 @@ public final class CloudLight {
 
     private static double inverseSquare(double depth) {
         return 1 / Math.max(depth * depth, 1e-20);
+    }
+
+    /**
+     * Returns the axis along which diffuse light flows, from where there is much to where there is little, in a layer: from
+     * its lit side to the other.
+     *
+     * @param towardsSun unit
+     */
+    public static Vec3 diffuseAxisOfLayer(Vec3 towardsSun) {
+        return new Vec3(0, -Math.max(-1, Math.min(1, towardsSun.y() / TURNING_SINE)), 0);
+    }
+
+    /**
+     * Returns the axis in a finite cloud: that of a layer if it is flat, along the beam if it is not, between them a mixture,
+     * which is shorter than 1.
+     *
+     * @param towardsSun unit
+     */
+    public static Vec3 diffuseAxis(Aabb extent, Vec3 towardsSun) {
+        double narrowest = Math.min(extent.maxX() - extent.minX(), extent.maxZ() - extent.minZ());
+        double flatness = Math.max(0, 1 - 2 * (extent.maxY() - extent.minY()) / narrowest);
+        return towardsSun.scaled(flatness - 1).addScaled(flatness, diffuseAxisOfLayer(towardsSun));
     }
 }

@@ -1,5 +1,7 @@
 package nephele.engine.cloud.light;
 
+import nephele.engine.cloud.PhaseFunction;
+import java.util.SplittableRandom;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.level.Cloud;
@@ -12,7 +14,7 @@ import nephele.engine.level.Cloud;
  * @param backG asymmetry of the other lobe
  * @param backShare share of light that the other lobe scatters, 0 to 1
  */
-public record CloudOptics(double albedo, double g, double backG, double backShare) {
+public record CloudOptics(double albedo, double g, double backG, double backShare) implements PhaseFunction {
     private static final int MOST_MIXED = 40;
 
     /** Returns the optics of a cloud of a level. */
@@ -46,9 +48,18 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
         return DeltaScaling.of(albedo, meanCosine(), forwardShare());
     }
 
-    /** Returns the phase function at a separation |d − l|² of the directions, per steradian. */
+    @Override
     public double perSteradian(double separation) {
-        return afterScatterings(1, separation);
+        double forward = new HenyeyGreenstein(g).perSteradian(separation);
+        return backShare == 0
+                ? forward
+                : (1 - backShare) * forward + backShare * new HenyeyGreenstein(backG).perSteradian(separation);
+    }
+
+    @Override
+    public double sampleSeparation(SplittableRandom random) {
+        double asymmetry = backShare > 0 && random.nextDouble() < backShare ? backG : g;
+        return new HenyeyGreenstein(asymmetry).sampleSeparation(random);
     }
 
     /** Returns the share of light that is scattered into the cone around its direction whose edge has a separation. */

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.OwnedObjects;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Scene;
 
@@ -54,14 +54,15 @@ public record LoadContext(
      */
     public <T> T get(SharedResource<T> resource) {
         if (feature != null && !feature.uses().contains(resource)) {
-            throw new IllegalStateException(feature.name() + " does not name " + resource.name() + " among what it uses");
+            throw new IllegalStateException(
+                    feature.name() + " does not name " + resource.name() + " among what it uses");
         }
         return resources.get(resource);
     }
 
     /** Returns a key for data that belong to one opened level, in all its edited versions. */
-    public Same openedLevel() {
-        return new Same(scene().assets());
+    public Identity openedLevel() {
+        return new Identity(scene().assets());
     }
 
     /** Keeps an object until its owner is closed: a pass closes nothing itself. */

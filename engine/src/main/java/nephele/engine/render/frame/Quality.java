@@ -1,8 +1,8 @@
 package nephele.engine.render.frame;
 
 import java.util.List;
-import nephele.engine.cloud.drawn.SkyplaneShape;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.cloud.light.BeamLight;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.RecordCopy;
 
@@ -172,7 +172,7 @@ public record Quality(
                                 + " model of 2000 has light that is scattered once; Harris' of 2001 also light"
                                 + " that was scattered forwards before, here so that it does not depend on the"
                                 + " number of balls. Both lose what leaves the beam.")
-                BallLight particleLight,
+                PuffLight particleLight,
         @QualitySetting(
                         high = "auto",
                         ultra = "off",
@@ -429,5 +429,41 @@ public record Quality(
      */
     public Quality with(String setting, Object value) {
         return RecordCopy.with(this, setting, value);
+    }
+
+    /** The shape of the sheet as which a layer of clouds is drawn. */
+    public enum SkyplaneShape {
+        /** A sphere around the planet under an atmosphere, otherwise a plane. */
+        SHELL,
+        FLAT,
+        /**
+         * A mesh of 17 × 17 vertices around the eye that sinks by the square of the distance, 2√(R₂² − R₁²) wide and R₁
+         * above the eye, with R₂ = 9 R₁.
+         */
+        CURVED,
+        /** A hemisphere around the eye. */
+        DOME
+    }
+
+    /** The model of sunlight in clouds that are drawn as soft balls. */
+    public enum PuffLight {
+        /** {@link CloudLight}, as in clouds that are marched: what is scattered often is found too. */
+        TAIL,
+        /**
+         * Light that is scattered once (Dobashi, Kaneda, Yamashita, Okita and Nishita 2000, "A Simple, Efficient Method for Realistic
+         * Animation of Clouds").
+         */
+        DOBASHI,
+        /** Light that is scattered towards the eye once, and before that any number of times forwards: {@link BeamLight#forwards}. */
+        HARRIS;
+
+        /** Returns the light that is accumulated along the beam; {@code null} for the tail, which has more. */
+        public BeamLight beam(CloudOptics optics) {
+            return switch (this) {
+                case TAIL -> null;
+                case DOBASHI -> BeamLight.once(optics);
+                case HARRIS -> BeamLight.forwards(optics);
+            };
+        }
     }
 }

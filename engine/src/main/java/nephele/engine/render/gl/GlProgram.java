@@ -37,11 +37,16 @@ public final class GlProgram<U> {
      */
     public static <U extends Record> GlProgram<U> of(
             GlContext gl, String vertex, String fragment, Map<String, String> defines, Class<U> uniforms) {
-        return new GlProgram<>(
-                gl,
-                ShaderSource.load(vertex, defines),
-                ShaderSource.load(fragment, defines),
-                found -> found.record(uniforms));
+        return of(gl, ShaderSource.load(vertex, defines), ShaderSource.load(fragment, defines), uniforms);
+    }
+
+    /** Does the same for two sources. */
+    public static <U extends Record> GlProgram<U> of(
+            GlContext gl, ShaderSource vertex, ShaderSource fragment, Class<U> uniforms) {
+        return new GlProgram<>(gl, vertex, fragment, found -> {
+            found.requireUnits();
+            return found.record(uniforms);
+        });
     }
 
     /** Links the program or takes the linked one, without uniforms but samplers and blocks. */

@@ -20,10 +20,10 @@ public final class SharedObjects {
     private final Map<Key, Object> lasting = new LinkedHashMap<>(16, 0.75f, true);
 
     /** A value that equals only itself, for data too large to compare and never created twice. */
-    public record Same(Object value) {
+    public record Identity(Object value) {
         @Override
         public boolean equals(Object other) {
-            return other instanceof Same same && same.value == value;
+            return other instanceof Identity identity && identity.value == value;
         }
 
         @Override

@@ -32,7 +32,7 @@ public final class AerialPerspective implements GlObject {
     /** Whether clouds shade the air. */
     private final boolean hasShafts;
 
-    private final ByHeight<SunAndMoonTables> byHeight = new ByHeight<>(this::tables);
+    private final HeightCache<SunAndMoonTables> byHeight = new HeightCache<>(this::tables);
 
     private AirTables tables;
     private SunAndMoon lights;

@@ -10,16 +10,16 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyIrradiance;
 import nephele.engine.scene.light.SkyProbes;
@@ -45,7 +45,7 @@ public final class AmbientLight {
     private AirTables airTables;
 
     /** What the light without clouds follows from. @param sun {@code null} if the sky does not depend on it */
-    record Causes(Same level, Sky sky, Sun sun) {}
+    record Causes(Identity level, Sky sky, Sun sun) {}
 
     private AmbientLight(LoadContext context) {
         this.context = context;

@@ -18,6 +18,7 @@ import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.Scene;
 import org.lwjgl.system.MemoryUtil;
 
@@ -62,17 +63,17 @@ public final class BillboardQuads implements GlObject {
         }
     }
 
-    /** @param planted of the level of which {@code source} tells */
+    /** @param planted the billboards of the level from which {@code source} is */
     public BillboardQuads(
             GlContext gl, PlantedBillboards planted, StaticShapes statics, AssetSource assets, BillboardSource source) {
         anchor = source.anchor();
         List<PlantedBillboards.Group> drawn = planted.groups().stream()
                 .filter(group -> group.said().blended() == (source.kind() == BillboardSource.Kind.BLENDED))
                 .toList();
-        List<Billboards> said =
+        List<Billboards> authored =
                 drawn.stream().map(PlantedBillboards.Group::said).toList();
-        sprites = new BillboardSprites(gl, said, assets, source);
-        groups = said;
+        sprites = new BillboardSprites(gl, authored, assets, source);
+        groups = authored;
         moves = groups.stream().anyMatch(Billboards::moves);
         groupTexels = BufferTexture.changing(gl, "billboard groups");
         groupValues = MemoryUtil.memAllocFloat(GROUP_FLOATS * Math.max(1, groups.size()));

@@ -5,7 +5,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.light.LightRequirements;
 
 /**
@@ -17,10 +17,10 @@ import nephele.engine.scene.light.LightRequirements;
  * @param keepsCoverage whether smaller mipmap levels of those with edges keep the share that is drawn
  */
 public record BillboardSource(
-        Same billboards,
-        Same solids,
-        Same models,
-        Same assets,
+        Identity billboards,
+        Identity solids,
+        Identity models,
+        Identity assets,
         boolean isSkyLit,
         Kind kind,
         Vec3 anchor,
@@ -43,10 +43,10 @@ public record BillboardSource(
             PixelFormat format,
             boolean keepsCoverage) {
         return new BillboardSource(
-                new Same(level.billboards()),
-                new Same(statics.solids()),
-                new Same(statics.models()),
-                new Same(assets),
+                new Identity(level.billboards()),
+                new Identity(statics.solids()),
+                new Identity(statics.models()),
+                new Identity(assets),
                 LightRequirements.skyShines(level),
                 kind,
                 anchor,

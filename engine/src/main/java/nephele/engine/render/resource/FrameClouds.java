@@ -17,7 +17,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlObject;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 
@@ -35,7 +35,7 @@ public final class FrameClouds implements GlObject {
 
     /** What the clouds of a level follow from: edits of anything else leave them as they are. */
     private record Source(
-            Same assets,
+            Identity assets,
             Environment causes,
             Aabb region,
             int lightDivisor,
@@ -43,7 +43,7 @@ public final class FrameClouds implements GlObject {
             List<CloudTechnique> techniques) {
         static Source of(Scene scene, Quality quality, List<CloudTechnique> techniques) {
             return new Source(
-                    new Same(scene.assets()),
+                    new Identity(scene.assets()),
                     CloudTimeline.causes(scene.level().environment()),
                     shadeRegion(scene.statics()),
                     quality.cloudLightCell(),

@@ -13,7 +13,7 @@ import nephele.engine.scene.FrameState;
 /**
  * The exposure of a renderer's pictures that follows from them: the history of a view, which stays on the GPU. It is one
  * texel: the factor on radiance and its log2, which adapts in simulated time. Without history, at first and after a cut,
- * it is what the picture calls for.
+ * it is metered from the picture alone.
  */
 public final class MeteredExposure implements GlObject {
     public static final SharedResource<MeteredExposure> RESOURCE = SharedResource.of("exposure", MeteredExposure::of);
@@ -92,7 +92,7 @@ public final class MeteredExposure implements GlObject {
         return elapsedSeconds;
     }
 
-    /** Returns the texel to write: factor, stops, the stops that the picture calls for. */
+    /** Returns the texel to write: factor, stops, the stops that are metered from the picture. */
     public RenderTarget next() {
         return texels[1 - last];
     }

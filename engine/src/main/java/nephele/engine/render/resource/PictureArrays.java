@@ -15,7 +15,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import org.lwjgl.system.MemoryUtil;
@@ -42,16 +42,16 @@ public record PictureArrays(List<Texture> textures) {
     public static final SharedResource<Function<String, Picture>> DECODED =
             SharedResource.of("decoded pictures", PictureArrays::decoder);
 
-    private record MadeFrom(Same array, PixelFormat format, int anisotropy) {}
+    private record MadeFrom(Identity array, PixelFormat format, int anisotropy) {}
 
-    private record Enlarged(List<Same> pictures, PixelFormat format, int anisotropy) {}
+    private record Enlarged(List<Identity> pictures, PixelFormat format, int anisotropy) {}
 
     private static PictureArrays of(LoadContext context, List<PictureArray> arrays, PixelFormat format) {
         int anisotropy = anisotropy(context);
         return new PictureArrays(arrays.stream()
                 .map(array -> context.share(
                         Texture.class,
-                        new MadeFrom(new Same(array), format, anisotropy),
+                        new MadeFrom(new Identity(array), format, anisotropy),
                         () -> texture(context.gl(), array, format, anisotropy)))
                 .toList());
     }
@@ -72,7 +72,7 @@ public record PictureArrays(List<Texture> textures) {
         int anisotropy = anisotropy(context);
         return context.share(
                 Texture.class,
-                new Enlarged(pictures.stream().map(Same::new).toList(), format, anisotropy),
+                new Enlarged(pictures.stream().map(Identity::new).toList(), format, anisotropy),
                 () -> texture(
                         context.gl(),
                         new PictureArray(

@@ -3,7 +3,7 @@ package nephele.engine.render.resource;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.impostor.ImpostorAtlas;
 import nephele.engine.scene.light.LightRequirements;
@@ -17,9 +17,9 @@ import nephele.engine.scene.light.LightRequirements;
  * @param texels along a side of a view
  */
 public record PlantSource(
-        Same statics,
-        Same materials,
-        Same assets,
+        Identity statics,
+        Identity materials,
+        Identity assets,
         boolean isSkyLit,
         Vec3 anchor,
         PixelFormat format,
@@ -29,9 +29,9 @@ public record PlantSource(
     public static PlantSource of(
             Scene scene, Vec3 anchor, PixelFormat format, ColourDecoding decoding, double impostorPixels) {
         return new PlantSource(
-                new Same(scene.statics()),
-                new Same(scene.materials()),
-                new Same(scene.assets()),
+                new Identity(scene.statics()),
+                new Identity(scene.materials()),
+                new Identity(scene.assets()),
                 LightRequirements.skyShines(scene.level()),
                 anchor,
                 format,

@@ -1,6 +1,5 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.gl.OwnedObjects;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,9 +10,10 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.SceneMaterials;
@@ -42,9 +42,9 @@ final class PlantedKinds implements GlObject {
         }
     }
 
-    private record FormOf(Same mesh, Object frame) {}
+    private record FormOf(Identity mesh, Object frame) {}
 
-    private record AtlasOf(Same form, Object material, Same picture, ColourDecoding decoding, int texels) {}
+    private record AtlasOf(Identity form, Object material, Identity picture, ColourDecoding decoding, int texels) {}
 
     PlantedKinds(GlContext gl, List<PlantedModels.Kind> kinds, SceneMaterials materials, PlantSource source) {
         owned = new OwnedObjects(gl);
@@ -57,12 +57,12 @@ final class PlantedKinds implements GlObject {
         float[] values = new float[FLOATS * Math.max(1, kinds.size())];
         for (int i = 0; i < kinds.size(); i++) {
             PlantedModels.Kind kind = kinds.get(i);
-            FormOf madeFrom = new FormOf(new Same(kind.mesh()), kind.plantFromModel());
+            FormOf madeFrom = new FormOf(new Identity(kind.mesh()), kind.plantFromModel());
             Form form = owned.shareValue(Form.class, madeFrom, () -> Form.of(kind));
             Surface surface = materials.surfaces().get(materials.indexOf(kind.material()));
             Picture picture = picture(surface, materials);
             AtlasOf of = new AtlasOf(
-                    new Same(form), surface.material(), new Same(picture), source.decoding(), source.texels());
+                    new Identity(form), surface.material(), new Identity(picture), source.decoding(), source.texels());
             ImpostorAtlas atlas = owned.shareValue(
                     ImpostorAtlas.class,
                     of,

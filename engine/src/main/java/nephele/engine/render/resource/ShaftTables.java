@@ -1,11 +1,11 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.level.appearance.ShaftLight;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.appearance.ShaftLight;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
@@ -18,13 +18,12 @@ import org.lwjgl.system.MemoryUtil;
 
 /**
  * The share of the air's light that clouds take, by pixel and distance, for each view of a frame; {@code air.glsl} reads
- * it. A view without a table, as one of which only the sky is drawn, has no shafts.
+ * it. A view without a table has no shafts, such as one that shows only the sky.
  */
 public final class ShaftTables implements GlObject {
-    public static final SharedResource<ShaftTables> RESOURCE =
-            SharedResource.of("shafts", ShaftTables::of)
-                    .following((tables, frame) -> tables.used = 0)
-                    .inViews(ShaftTables::setView);
+    public static final SharedResource<ShaftTables> RESOURCE = SharedResource.of("shafts", ShaftTables::of)
+            .following((tables, frame) -> tables.used = 0)
+            .inViews(ShaftTables::setView);
 
     /** Pixels of a view along each side of one of its table. */
     public static final int DIVISOR = 8;
@@ -66,7 +65,9 @@ public final class ShaftTables implements GlObject {
 
     /** Returns {@code null} if no cloud shades the air. */
     private static ShaftTables of(LoadContext context) {
-        return ShaftLight.isIn(context.scene().level().environment()) ? context.own(new ShaftTables(context.gl())) : null;
+        return ShaftLight.isIn(context.scene().level().environment())
+                ? context.own(new ShaftTables(context.gl()))
+                : null;
     }
 
     /** Binds the table of a view for the following draws. */

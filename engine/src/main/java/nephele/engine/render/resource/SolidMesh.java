@@ -1,15 +1,15 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.gl.SharedObjects.Same;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.IndexRanges;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.scene.SolidBatch;
@@ -22,8 +22,7 @@ import nephele.engine.scene.VisibleSet;
  * map or, for models, smooth normal and sky visibility.
  */
 public final class SolidMesh implements GlObject {
-    public static final SharedResource<SolidMesh> RESOURCE =
-            SharedResource.of("solids", SolidMesh::of);
+    public static final SharedResource<SolidMesh> RESOURCE = SharedResource.of("solids", SolidMesh::of);
 
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
     private static final VertexFormat LIGHT_MAPPED =
@@ -48,7 +47,7 @@ public final class SolidMesh implements GlObject {
 
     private static SolidMesh of(LoadContext context) {
         SolidGeometry solids = context.scene().solids();
-        return context.share(SolidMesh.class, new Same(solids), () -> new SolidMesh(context.gl(), solids));
+        return context.share(SolidMesh.class, new Identity(solids), () -> new SolidMesh(context.gl(), solids));
     }
 
     /** Returns {@code null} for no triangles. */

@@ -18,7 +18,7 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -77,7 +77,9 @@ public final class TerrainMesh implements GlObject {
     private static List<TerrainMesh> of(LoadContext context) {
         return context.scene().statics().ground().stream()
                 .map(grid -> context.share(
-                        TerrainMesh.class, new Same(grid.field()), () -> new TerrainMesh(context.gl(), grid.field())))
+                        TerrainMesh.class,
+                        new Identity(grid.field()),
+                        () -> new TerrainMesh(context.gl(), grid.field())))
                 .toList();
     }
 

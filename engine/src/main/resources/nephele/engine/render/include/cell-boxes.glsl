@@ -1,5 +1,5 @@
 // Nested boxes of cells around a focus, each wider than the one before. In a texture they stand on top of each other, the
-// narrowest lowest. Twin: nephele.engine.cloud.cells.FocusedStack.
+// narrowest lowest. Twin: nephele.engine.cloud.cells.CellMarch.
 uniform vec4 boxes[MOST_BOXES]; // xy: middle, relative to the eye; zw: 1 / widths
 uniform vec4 cells; // x, y: rows of a box in a cloud's density and light; z: boxes; w: share of the next time
 uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
@@ -7,7 +7,7 @@ uniform vec3 cloudHalf; // x, z: how far the narrowest box serves; y: height of 
 
 const float WIDENING = java(cloud.cells.CellStack.WIDENING); // widths of successive boxes
 const float PER_LOG2 = 0.63092975; // 1 / log2(WIDENING)
-const float FADING = java(cloud.cells.FocusedStack.FADING); // share of a box's reach, as a logarithm, in which the next one takes over
+const float FADING = java(cloud.cells.CellMarch.FADING); // share of a box's reach, as a logarithm, in which the next one takes over
 
 // The box that serves a place, and the share that the next wider one has already.
 vec2 boxOf(vec3 place) {

@@ -1,5 +1,5 @@
 // Octaves of noise in the plane, each between two generations. Twin: nephele.engine.cloud.octave.OctaveSheet.
-const int MOST_OCTAVES = java(render.pass.cloud.procedural.OctaveUniforms.MOST_OCTAVES);
+const int MOST_OCTAVES = java(render.pass.cloud.procedural.ProceduralTechnique.MOST_OCTAVES);
 
 uniform vec4 octaveScale[MOST_OCTAVES]; // xy: cosine and sine of its turn, in cells a metre; z: weight; w: variance
 uniform vec4 octavePlace[MOST_OCTAVES]; // xy: the eye's place in its cell; zw: weights of the generations

@@ -15,7 +15,7 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
 
 /**
- * Ways to draw clouds. A still picture is compared with the oracle's; frames while the view turns with those of all rays at
+ * Ways to draw clouds. A still picture is compared with the reference picture's; frames while the view turns with those of all rays at
  * the finest steps, whose light is that of the setting itself: what stays wrong does not flicker.
  */
 final class CloudExperiment implements Experiment {
@@ -51,7 +51,7 @@ final class CloudExperiment implements Experiment {
     CloudExperiment(TradeSite site, List<PictureSetting> settings, Judged judged) {
         this.site = site;
         this.judged = judged;
-        pictures = new PictureExperiment(site, settings, Compared.RADIANCE);
+        pictures = new PictureExperiment(site, settings, ComparedValues.RADIANCE);
         path = judged == Judged.FLYING ? Footage.flight(site) : Footage.path(site);
     }
 
@@ -105,9 +105,9 @@ final class CloudExperiment implements Experiment {
         }
         Quality quality = shot.settings(site.gl().limits().software()).quality();
         CloudRays.Marched marched = rays.marched(quality.cloudStep());
-        double share = quality.cloudResolution() / quality.cloudHistory().side();
+        double fraction = quality.cloudResolution() / quality.cloudHistory().side();
         figures.add(marched.transmittanceError());
-        figures.add(share * share * marched.evaluations());
+        figures.add(fraction * fraction * marched.evaluations());
     }
 
     /** Returns the bytes of textures that a renderer has less if the level has no clouds. */

@@ -17,32 +17,36 @@ public final class CloudSubjects {
     private static final String CUMULUS = "levels/samples/clouds-cumulus.json";
     private static final String BILLBOARDS = "levels/samples/clouds-billboard.json";
     private static final String PARTICLES = "levels/samples/clouds-particles.json";
-    private static final String ORACLE = "the oracle: random walks through the cloud, as many scatterings as they"
+    private static final String REFERENCE = "the oracle: random walks through the cloud, as many scatterings as they"
         + " take. Flicker is the RMS change of the error from frame to frame, in linear light, while the view turns by"
         + " 0.3 pixels a frame";
 
     public static final Trade SCATTERING = subject(
             GRID,
             "cloudScattering",
-            ORACLE,
+            REFERENCE,
             List.of(
                     PictureSetting.of("cloudScattering", "two_stream"),
                     PictureSetting.of("cloudScattering", "octaves", "the usual approximation")),
             Judged.STILL);
 
     public static final Trade STEP =
-            subject(GRID, "cloudStep", ORACLE, PictureSetting.all("cloudStep", "0.5", 1, 2, 4), Judged.STILL);
+            subject(GRID, "cloudStep", REFERENCE, PictureSetting.all("cloudStep", "0.5", 1, 2, 4), Judged.STILL);
 
     public static final Trade RESOLUTION = subject(
-            GRID, "cloudResolution", ORACLE, PictureSetting.all("cloudResolution", "0.25", "0.5", "1"), Judged.STILL);
+            GRID,
+            "cloudResolution",
+            REFERENCE,
+            PictureSetting.all("cloudResolution", "0.25", "0.5", "1"),
+            Judged.STILL);
 
     public static final Trade LIGHT =
-            subject(GRID, "cloudLightCell", ORACLE, PictureSetting.all("cloudLightCell", 1, 2, 4), Judged.STILL);
+            subject(GRID, "cloudLightCell", REFERENCE, PictureSetting.all("cloudLightCell", 1, 2, 4), Judged.STILL);
 
     public static final Trade FACING = subject(
             BILLBOARDS,
             "billboardFacing",
-            ORACLE,
+            REFERENCE,
             List.of(
                     PictureSetting.of("billboardFacing", "viewer"),
                     PictureSetting.of("billboardFacing", "screen"),
@@ -53,7 +57,7 @@ public final class CloudSubjects {
     public static final Trade BALL_LIGHT = subject(
             PARTICLES,
             "particleLight",
-            ORACLE,
+            REFERENCE,
             PictureSetting.all("particleLight", "tail", "harris", "dobashi"),
             Judged.STILL);
 
@@ -140,7 +144,7 @@ public final class CloudSubjects {
         }
         settings.add(technique(CloudTechnique.VOLUME, "rays marched"));
         settings.add(technique(CloudTechnique.AUTO, "what is chosen here"));
-        var words = new Trade.Text(title, "The same clouds by each technique that can show them.", ORACLE);
+        var words = new Trade.Text(title, "The same clouds by each technique that can show them.", REFERENCE);
         return PictureSubjects.of(subject, words, List.of(), "auto", settings);
     }
 
@@ -156,7 +160,8 @@ public final class CloudSubjects {
 
     /** Returns a setting that the engine's own picture of its first value judges. */
     private static Trade displayed(String level, String name, String exact, List<PictureSetting> settings) {
-        return PictureSubjects.setting(name, exact, settings, Compared.DISPLAY).in(level);
+        return PictureSubjects.setting(name, exact, settings, ComparedValues.DISPLAY)
+                .in(level);
     }
 
     private static Trade subject(

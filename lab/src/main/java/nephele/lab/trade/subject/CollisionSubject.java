@@ -11,7 +11,7 @@ import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
 /** The contact of two models by their bounding volumes against that of their triangles. */
-public final class CollisionSubject {
+public final class CollisionSubject implements Experiment {
     private static final int QUESTIONS = 20_000;
     private static final int TIMED = 2_000;
 
@@ -35,41 +35,39 @@ public final class CollisionSubject {
             List.of("reported, %", "contacts missed"),
             new CostMetric("CPU a pair", "µs", 1e3, TIMED, CostMetric.Clock.THREAD),
             null,
-            site -> new Contacts());
+            site -> new CollisionSubject());
+
+    private final ModelPairs pairs = new ModelPairs();
+    private final List<ModelPairs.Pair> timed =
+            LongStream.range(0, TIMED).mapToObj(pairs::pair).toList();
+    /** Uses the result, so that the compiler cannot eliminate the timed code. */
+    private int touching;
 
     private CollisionSubject() {}
 
-    private static final class Contacts implements Experiment {
-        private final ModelPairs pairs = new ModelPairs();
-        private final List<ModelPairs.Pair> timed =
-                LongStream.range(0, TIMED).mapToObj(pairs::pair).toList();
-        /** Uses the result, so that the compiler cannot eliminate the timed code. */
-        private int touching;
-
-        @Override
-        public Judgement judge(int setting) {
-            int apart = 0;
-            int reported = 0;
-            int falsely = 0;
-            int missed = 0;
-            for (int question = 0; question < QUESTIONS; question++) {
-                ModelPairs.Pair pair = pairs.pair(question);
-                boolean isReported = pair.touch(Bound.values()[setting]);
-                boolean isContact = pair.touch(Bound.TRIANGLES);
-                apart += isContact ? 0 : 1;
-                reported += isReported ? 1 : 0;
-                falsely += isReported && !isContact ? 1 : 0;
-                missed += isContact && !isReported ? 1 : 0;
-            }
-            return Judgement.of(100.0 * falsely / apart, 100.0 * reported / QUESTIONS, (double) missed);
+    @Override
+    public Judgement judge(int setting) {
+        int apart = 0;
+        int reported = 0;
+        int falsely = 0;
+        int missed = 0;
+        for (int question = 0; question < QUESTIONS; question++) {
+            ModelPairs.Pair pair = pairs.pair(question);
+            boolean isReported = pair.touch(Bound.values()[setting]);
+            boolean isContact = pair.touch(Bound.TRIANGLES);
+            apart += isContact ? 0 : 1;
+            reported += isReported ? 1 : 0;
+            falsely += isReported && !isContact ? 1 : 0;
+            missed += isContact && !isReported ? 1 : 0;
         }
+        return Judgement.of(100.0 * falsely / apart, 100.0 * reported / QUESTIONS, (double) missed);
+    }
 
-        @Override
-        public void run(int setting) {
-            Bound bound = Bound.values()[setting];
-            for (ModelPairs.Pair pair : timed) {
-                touching += pair.touch(bound) ? 1 : 0;
-            }
+    @Override
+    public void run(int setting) {
+        Bound bound = Bound.values()[setting];
+        for (ModelPairs.Pair pair : timed) {
+            touching += pair.touch(bound) ? 1 : 0;
         }
     }
 }

@@ -108,23 +108,23 @@ public final class CullingSphereSubject implements Experiment {
 
     @Override
     public Judgement judge(int setting) {
-        var truth = new ModelsInView();
+        var reference = new ModelsInView();
         int seen = 0;
         int leftOut = 0;
-        int keptForNothing = 0;
+        int keptOutOfView = 0;
         for (int view = 0; view < VIEWS; view++) {
             begin(view);
             for (int model = 0; model < spheres.size(); model++) {
                 boolean isSeen =
-                        truth.shows(views.get(view), files.mesh(posed.model(model)), posed.worldFromModel(model));
+                        reference.shows(views.get(view), files.mesh(posed.model(model)), posed.worldFromModel(model));
                 boolean keeps = keeps(setting, view, model);
                 seen += isSeen ? 1 : 0;
                 leftOut += isSeen && !keeps ? 1 : 0;
-                keptForNothing += keeps && !isSeen ? 1 : 0;
+                keptOutOfView += keeps && !isSeen ? 1 : 0;
             }
         }
         int outOfView = VIEWS * spheres.size() - seen;
-        return Judgement.of(100.0 * leftOut / seen, 100.0 * keptForNothing / outOfView, (double) leftOut / VIEWS);
+        return Judgement.of(100.0 * leftOut / seen, 100.0 * keptOutOfView / outOfView, (double) leftOut / VIEWS);
     }
 
     @Override

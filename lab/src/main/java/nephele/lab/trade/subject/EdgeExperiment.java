@@ -1,6 +1,7 @@
 package nephele.lab.trade.subject;
 
 import java.awt.image.BufferedImage;
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.measure.ErrorMap;
@@ -13,16 +14,35 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.host.draw.IdLevel;
 import nephele.host.terminal.CommandFailure;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 
 /**
- * Ways to smooth edges, compared with the engine's own picture at 64 samples a pixel: displayed light of eight times the
+ * Multisampling and the edge filter, compared with the engine's own picture at 64 samples a pixel: displayed light of eight times the
  * pixels along each side, averaged. A still picture is judged, and the shimmer along a path.
  */
-final class EdgeExperiment implements Experiment {
-    static final List<String> FIGURES = List.of("shimmer", "RMSE at edges", "FLIP, 99th percentile of pixels");
+public final class EdgeExperiment implements Experiment {
+    private static final List<String> FIGURES = List.of("shimmer", "RMSE at edges", "FLIP, 99th percentile of pixels");
+    private static final String REFERENCE_TEXT =
+            "the engine's own picture of 64 samples a pixel: eight times the pixels along each side, averaged in"
+                + " linear light. Shimmer is the RMS change of the error from frame to frame while the view turns by"
+                + " 0.3 pixels a frame, over " + Footage.PATH_FRAMES + " frames of at most "
+                    + Footage.PATH_WIDTH + "×" + Footage.PATH_HEIGHT
+                    + " pixels. RMSE at edges counts pixels at most one pixel from the edge of a surface. Both are in"
+                    + " linear light, 1 is white; the advice regards FLIP alone";
+    public static final Trade SAMPLES = trade("samples", PictureSetting.all("samples", 1, 2, 4, 8));
+    public static final Trade FILTER = trade(
+            "edgeFilter",
+            List.of(
+                    filter("none"),
+                    filter("morphological"),
+                    new PictureSetting(
+                            new Setting("4 samples", "instead of the filter"), shot -> shot.set("samples", "4"))));
 
     private static final int EXACT_SIDE = 8;
 
@@ -36,10 +56,10 @@ final class EdgeExperiment implements Experiment {
     /** The displayed light of one shot: the still picture, and the frames along the path. */
     private record Drawn(LinearPicture still, List<LinearPicture> path) {}
 
-    EdgeExperiment(TradeSite site, List<PictureSetting> settings) {
+    private EdgeExperiment(TradeSite site, List<PictureSetting> settings) {
         this.site = site;
         requireRoom(site.extent(), site.gl().limits().maxTextureSize());
-        pictures = new PictureExperiment(site, settings, Compared.DISPLAY);
+        pictures = new PictureExperiment(site, settings, ComparedValues.DISPLAY);
         still = Footage.still(site);
         path = Footage.path(site);
     }
@@ -89,7 +109,7 @@ final class EdgeExperiment implements Experiment {
                 var picture =
                         RenderTarget.picture(site.gl(), "ids", PixelFormat.RGBA8, still.width(), still.height())) {
             renderer.draw(site.view(), picture);
-            return IdEdges.near(picture.readBytes(), still.width(), still.height());
+            return nearEdges(picture.readBytes(), still.width(), still.height());
         }
     }
 
@@ -99,7 +119,7 @@ final class EdgeExperiment implements Experiment {
     }
 
     private BufferedImage shown(LinearPicture picture) {
-        return Compared.DISPLAY.shown(picture, site.level().environment());
+        return ComparedValues.DISPLAY.shown(picture, site.level().environment());
     }
 
     @Override
@@ -110,5 +130,46 @@ final class EdgeExperiment implements Experiment {
     @Override
     public void close() {
         pictures.close();
+    }
+
+    /**
+     * Returns for each pixel whether one of the eight around it shows another surface.
+     *
+     * @param rgba the colours, row by row
+     */
+    static boolean[] nearEdges(ByteBuffer rgba, int width, int height) {
+        boolean[] near = new boolean[width * height];
+        for (int i = 0; i < near.length; i++) {
+            int column = i % width;
+            int row = i / width;
+            for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
+                for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
+                    near[i] |= rgba.getInt(4 * (y * width + x)) != rgba.getInt(4 * i);
+                }
+            }
+        }
+        return near;
+    }
+
+    /** Returns a filter's setting with one sample a pixel, also where the preset has more. */
+    private static PictureSetting filter(String value) {
+        return new PictureSetting(
+                PictureSetting.of("edgeFilter", value).setting(),
+                shot -> shot.set("edgeFilter", value).set("samples", 1));
+    }
+
+    private static Trade trade(String subject, List<PictureSetting> settings) {
+        List<Setting> named = settings.stream().map(PictureSetting::setting).toList();
+        return new Trade(
+                subject,
+                PictureSubjects.text(subject, REFERENCE_TEXT),
+                List.of(subject),
+                named,
+                named.stream().map(Setting::name).toList().indexOf(PictureSubjects.usual(subject)),
+                ErrorMetric.DISPLAYED,
+                FIGURES,
+                CostMetric.FRAME,
+                null,
+                site -> new EdgeExperiment(site, settings));
     }
 }

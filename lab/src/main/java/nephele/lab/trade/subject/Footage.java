@@ -1,5 +1,7 @@
 package nephele.lab.trade.subject;
 
+import java.nio.ByteBuffer;
+import nephele.engine.render.frame.ToneMapping;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
@@ -21,6 +23,11 @@ import nephele.lab.trade.TradeSite;
  * @param height pixels
  */
 record Footage(List<View> views, int width, int height) {
+    /** Linear light of each sRGB code. */
+    private static final double[] DISPLAYED_LIGHT = IntStream.range(0, 256)
+            .mapToDouble(code -> ToneMapping.decodeSrgb(code / 255.0))
+            .toArray();
+
     /** The number of frames along a path. */
     static final int PATH_FRAMES = 8;
 
@@ -111,10 +118,33 @@ record Footage(List<View> views, int width, int height) {
             }
             for (View view : views) {
                 renderer.draw(view, picture);
-                frames.add(DisplayedLight.of(picture.readBytes(), width, height, side));
+                frames.add(displayedLight(picture.readBytes(), width, height, side));
             }
         }
         gl.requireNoError("footage");
         return frames;
+    }
+
+    /**
+     * Returns the mean linear light of boxes of {@code side} by {@code side} pixels.
+     *
+     * @param rgba the codes, four a pixel, row by row
+     * @param width of the result
+     * @param height of the result
+     */
+    static LinearPicture displayedLight(ByteBuffer rgba, int width, int height, int side) {
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i++) {
+            int column = i / 3 % width;
+            int row = i / 3 / width;
+            double sum = 0;
+            for (int y = row * side; y < (row + 1) * side; y++) {
+                for (int x = column * side; x < (column + 1) * side; x++) {
+                    sum += DISPLAYED_LIGHT[rgba.get(4 * (y * width * side + x) + i % 3) & 0xff];
+                }
+            }
+            rgb[i] = (float) (sum / (side * side));
+        }
+        return new LinearPicture(width, height, rgb);
     }
 }

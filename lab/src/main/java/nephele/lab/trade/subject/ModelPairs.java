@@ -15,7 +15,7 @@ import nephele.host.named.OpenedLevel;
 /** Pairs of the models of the sample {@code models}, turned at random and so far apart that their spheres nearly touch or overlap. */
 public final class ModelPairs {
     private static final String SAMPLE = "levels/samples/models.json";
-    /** Distance of the middles as a share of the sum of the radii. */
+    /** Distance of the middles as a fraction of the sum of the radii. */
     private static final double NEAREST = 0.15;
 
     private static final double FARTHEST = 1.1;
@@ -56,8 +56,8 @@ public final class ModelPairs {
         long dice = Chance.dice(1, number);
         BoundedModel a = models.get((int) (models.size() * Chance.unit(dice, FIRST)));
         BoundedModel b = models.get((int) (models.size() * Chance.unit(dice, SECOND)));
-        double share = NEAREST + (FARTHEST - NEAREST) * Chance.unit(dice, DISTANCE);
-        double distance = share * (a.sphere().radius() + b.sphere().radius());
+        double fraction = NEAREST + (FARTHEST - NEAREST) * Chance.unit(dice, DISTANCE);
+        double distance = fraction * (a.sphere().radius() + b.sphere().radius());
         Pose atA = Pose.random(dice, TURN, Vec3.ZERO);
         Pose turned = Pose.random(dice, OTHER_TURN, Vec3.ZERO);
         Vec3 middle = a.middle(atA)

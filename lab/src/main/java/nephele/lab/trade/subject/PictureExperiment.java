@@ -1,11 +1,11 @@
 package nephele.lab.trade.subject;
 
-import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.ImageError;
@@ -26,7 +26,7 @@ final class PictureExperiment implements Experiment {
     static final int SETTLING_FRAMES = 4;
 
     private final TradeSite site;
-    private final Compared compared;
+    private final ComparedValues compared;
     private final Shot usual;
     private final List<Shot> shots = new ArrayList<>();
     private final List<Renderer> renderers = new ArrayList<>();
@@ -34,7 +34,7 @@ final class PictureExperiment implements Experiment {
     private final RenderTarget picture;
     private LinearPicture exact;
 
-    PictureExperiment(TradeSite site, List<PictureSetting> settings, Compared compared) {
+    PictureExperiment(TradeSite site, List<PictureSetting> settings, ComparedValues compared) {
         this.site = site;
         this.compared = compared;
         usual = new Shot(site.level(), Outputs.defaultFor(site.level()), "high", Map.of());
@@ -71,7 +71,7 @@ final class PictureExperiment implements Experiment {
 
     private Judgement judged(LinearPicture test) {
         var shown = compared.shown(test, site.level().environment());
-        return judgement(oracle(), test, compared.flip(oracle(), test), shown);
+        return judgement(reference(), test, compared.flip(reference(), test), shown);
     }
 
     static Judgement judgement(LinearPicture exact, LinearPicture test, ErrorMap flip, BufferedImage shown) {
@@ -80,7 +80,7 @@ final class PictureExperiment implements Experiment {
         return new Judgement(flip.mean(), List.of(squared, bias, flip.quantile(0.99)), shown, flip);
     }
 
-    private LinearPicture oracle() {
+    private LinearPicture reference() {
         if (exact == null) {
             exact = compared.exact(this::radiance, site);
         }
@@ -94,7 +94,7 @@ final class PictureExperiment implements Experiment {
 
     @Override
     public BufferedImage exact() {
-        return compared.shown(oracle(), site.level().environment());
+        return compared.shown(reference(), site.level().environment());
     }
 
     @Override
@@ -112,7 +112,8 @@ final class PictureExperiment implements Experiment {
 
     Renderer renderer(Shot shot) {
         Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
-        return LevelRenderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
+        return LevelRenderer.load(
+                site.gl(), scene, shot.settings(site.gl().limits().software()));
     }
 
     @Override

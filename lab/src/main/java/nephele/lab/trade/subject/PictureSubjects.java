@@ -9,14 +9,14 @@ import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** Parameters of the drawing of a level; most are judged by the difference from the oracle's picture. */
+/** Parameters of the drawing of a level; most are judged by the difference from the reference tracer's picture. */
 public final class PictureSubjects {
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
-    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+    private static final String REFERENCE = "the oracle: rays through the level, many a pixel";
 
     public static final Trade ANISOTROPY = setting(
             "anisotropy",
-            ORACLE,
+            REFERENCE,
             List.of(
                     PictureSetting.of("anisotropy", 1, "all presets in software"),
                     PictureSetting.of("anisotropy", 2),
@@ -44,11 +44,11 @@ public final class PictureSubjects {
             List.of(),
             "direct",
             OUTPUTS,
-            Compared.DISPLAY);
+            ComparedValues.DISPLAY);
 
     public static final Trade CULLING = of(
             "culling",
-            PictureSubjects.text("culling", ORACLE),
+            PictureSubjects.text("culling", REFERENCE),
             List.of(),
             "hierarchy",
             List.of(
@@ -62,7 +62,7 @@ public final class PictureSubjects {
             new Trade.Text(
                     "Leaving out some of ten thousand",
                     "The same among ten thousand boxes, most of them out of view.",
-                    ORACLE));
+                    REFERENCE));
 
     private PictureSubjects() {}
 
@@ -74,10 +74,10 @@ public final class PictureSubjects {
 
     /** Returns the subject of a setting of quality, judged by the radiance of pictures. */
     static Trade setting(String name, String exact, List<PictureSetting> settings) {
-        return setting(name, exact, settings, Compared.RADIANCE);
+        return setting(name, exact, settings, ComparedValues.RADIANCE);
     }
 
-    static Trade setting(String name, String exact, List<PictureSetting> settings, Compared compared) {
+    static Trade setting(String name, String exact, List<PictureSetting> settings, ComparedValues compared) {
         return of(name, text(name, exact), List.of(name), usual(name), settings, compared);
     }
 
@@ -86,7 +86,7 @@ public final class PictureSubjects {
         List<String> values = field.words().isEmpty()
                 ? Stream.of(Quality.Preset.values()).map(field::in).distinct().toList()
                 : field.words();
-        return setting(field.name(), ORACLE, PictureSetting.all(field.name(), values.toArray()));
+        return setting(field.name(), REFERENCE, PictureSetting.all(field.name(), values.toArray()));
     }
 
     /** Returns the value of a setting in the preset {@code high}. */
@@ -95,7 +95,7 @@ public final class PictureSubjects {
     }
 
     static Trade of(String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
-        return of(subject, text, fields, usual, settings, Compared.RADIANCE);
+        return of(subject, text, fields, usual, settings, ComparedValues.RADIANCE);
     }
 
     static Trade of(
@@ -104,7 +104,7 @@ public final class PictureSubjects {
             List<String> fields,
             String usual,
             List<PictureSetting> settings,
-            Compared compared) {
+            ComparedValues compared) {
         List<String> names =
                 settings.stream().map(setting -> setting.setting().name()).toList();
         return new Trade(
@@ -114,7 +114,7 @@ public final class PictureSubjects {
                 settings.stream().map(PictureSetting::setting).toList(),
                 names.indexOf(usual),
                 compared.error(),
-                compared == Compared.RADIANCE ? FIGURES : XmlPictureExperiment.FIGURES,
+                compared == ComparedValues.RADIANCE ? FIGURES : XmlPictureExperiment.FIGURES,
                 CostMetric.FRAME,
                 null,
                 site -> new PictureExperiment(site, settings, compared));

@@ -1,7 +1,16 @@
 package nephele.lab.trade.subject;
 
+import java.util.ArrayList;
+import java.util.SplittableRandom;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.ShotRay;
 import java.util.List;
-import nephele.lab.placement.PlacementSample;
+import nephele.lab.placement.RandomWall;
+import nephele.lab.placement.RectangleQuestion;
+import nephele.lab.placement.WallShot;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
@@ -10,7 +19,7 @@ import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
 /** The test whether a portal fits at the aimed place: the student report's four lines against the exact search. */
-public final class PlacementSubject {
+public final class PlacementSubject implements Experiment {
     private static final int QUESTIONS = 6_000;
     private static final int TIMED = 500;
 
@@ -32,43 +41,67 @@ public final class PlacementSubject {
             List.of("of its yes, wrong, %", "of what fits, refused, %"),
             new CostMetric("CPU a placement", "µs", 1e3, TIMED, CostMetric.Clock.THREAD),
             null,
-            site -> new Placements());
+            site -> new PlacementSubject());
 
-    private PlacementSubject() {}
+    private final List<Question> questions = new ArrayList<>();
 
-    private static final class Placements implements Experiment {
-        private final PlacementSample sample = new PlacementSample(QUESTIONS);
-        /** Uses the result, so that the compiler cannot eliminate the timed code. */
-        private int accepted;
+    /** Uses the result, so that the compiler cannot eliminate the timed code. */
+    private int accepted;
 
-        @Override
-        public Judgement judge(int setting) {
-            int fitting = 0;
-            int refused = 0;
-            int yes = 0;
-            int wrongYes = 0;
-            for (int question = 0; question < sample.size(); question++) {
-                boolean fits = sample.fits(question);
-                boolean answer = answer(setting, question);
-                fitting += fits ? 1 : 0;
-                refused += fits && !answer ? 1 : 0;
-                yes += answer ? 1 : 0;
-                wrongYes += answer && !fits ? 1 : 0;
-            }
-            double ofYes = 100.0 * wrongYes / Math.max(1, yes);
-            double ofFitting = 100.0 * refused / fitting;
-            return Judgement.of(ofYes + ofFitting, ofYes, ofFitting);
+    /** A rectangle at the aimed place, prepared for both tests, with the true answer from clipped areas. */
+    private record Question(RectangleQuestion rectangle, Placement fixed) {
+        static Question of(WallShot shot) {
+            RectangleQuestion asked = RectangleQuestion.of(shot);
+            Gun fixed = new Gun(asked.rectangle(), shot.gun.rangeMetres(), 0);
+            return new Question(asked, new Placement(shot.wall.surfaces(), fixed));
         }
 
-        private boolean answer(int setting, int question) {
-            return setting == 0 ? sample.fourLines(question) : sample.exact(question);
+        /** Returns the exact search's answer for the aimed place only. */
+        boolean fits() {
+            ShotRay aim = rectangle.shot().aim;
+            return fixed.place("shot", aim, List.of(), MovingSurfaces.NONE) instanceof PlacementResult.Fits;
         }
+    }
 
-        @Override
-        public void run(int setting) {
-            for (int question = 0; question < TIMED; question++) {
-                accepted += answer(setting, question) ? 1 : 0;
+    /** Asks on walls without columns, because the four lines consider only triangles. */
+    private PlacementSubject() {
+        for (long seed = 0; questions.size() < QUESTIONS; seed++) {
+            var random = new SplittableRandom(seed);
+            WallShot shot = new WallShot(RandomWall.of(random), random);
+            if (shot.wall.soup() != null && shot.wall.columns().isEmpty()) {
+                questions.add(Question.of(shot));
             }
+        }
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        int fitting = 0;
+        int refused = 0;
+        int yes = 0;
+        int wrongYes = 0;
+        for (int question = 0; question < questions.size(); question++) {
+            boolean fits = questions.get(question).rectangle.fits();
+            boolean answer = answer(setting, question);
+            fitting += fits ? 1 : 0;
+            refused += fits && !answer ? 1 : 0;
+            yes += answer ? 1 : 0;
+            wrongYes += answer && !fits ? 1 : 0;
+        }
+        double ofYes = 100.0 * wrongYes / Math.max(1, yes);
+        double ofFitting = 100.0 * refused / fitting;
+        return Judgement.of(ofYes + ofFitting, ofYes, ofFitting);
+    }
+
+    private boolean answer(int setting, int question) {
+        Question asked = questions.get(question);
+        return setting == 0 ? asked.rectangle.byFourLines() : asked.fits();
+    }
+
+    @Override
+    public void run(int setting) {
+        for (int question = 0; question < TIMED; question++) {
+            accepted += answer(setting, question) ? 1 : 0;
         }
     }
 }

@@ -4,14 +4,16 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import nephele.engine.level.Billboards.Facing;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.measure.Shimmer;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
+import nephele.lab.trade.Setting;
 import nephele.lab.trade.TradeSite;
 
 /**
- * Ways to draw plants. A still picture is compared with the oracle's; frames along two paths with those of meshes at 64
+ * Techniques that draw plants. A still picture is compared with the reference picture's; frames along two paths with those of meshes at 64
  * samples a pixel, displayed light of eight times the pixels along each side, averaged.
  */
 final class PlantExperiment implements Experiment {
@@ -21,6 +23,39 @@ final class PlantExperiment implements Experiment {
             "HDR-FLIP, 99th percentile of pixels",
             "flicker, view turns",
             "flicker, eye moves");
+
+    /** A technique that draws plants, in the order of growing cost. */
+    enum Technique {
+        SPRITES("sprites", "one picture, turned to the eye"),
+        CROSSED("crossed sprites", "two pictures at right angles"),
+        IMPOSTORS("impostors", "64 pictures, at every distance"),
+        MIXTURE("mixture", "all presets: impostors below 64 pixels, meshes above"),
+        MESHES("meshes", "at every distance");
+
+        private final Setting setting;
+
+        Technique(String name, String note) {
+            setting = new Setting(name, note);
+        }
+
+        Setting setting() {
+            return setting;
+        }
+
+        PictureSetting of(PlantSprites sprites) {
+            return new PictureSetting(setting, shot -> of(shot, sprites));
+        }
+
+        private Shot of(Shot shot, PlantSprites sprites) {
+            return switch (this) {
+                case SPRITES -> shot.with(sprites.in(shot.level(), Facing.CYLINDRICAL));
+                case CROSSED -> shot.with(sprites.in(shot.level(), Facing.CROSSED));
+                case IMPOSTORS -> shot.set("impostorPixels", 256);
+                case MIXTURE -> shot;
+                case MESHES -> shot.set("impostorPixels", 0);
+            };
+        }
+    }
 
     private static final int EXACT_SIDE = 8;
 
@@ -38,7 +73,11 @@ final class PlantExperiment implements Experiment {
         PlantSprites sprites = PlantSprites.of(planted.placed());
         site = planted.with(sprites.assets());
         pictures = new PictureExperiment(
-                site, Stream.of(PlantWay.values()).map(way -> way.of(sprites)).toList(), Compared.RADIANCE);
+                site,
+                Stream.of(Technique.values())
+                        .map(technique -> technique.of(sprites))
+                        .toList(),
+                ComparedValues.RADIANCE);
         turning = Footage.path(site);
         moving = Footage.run(site);
     }
@@ -55,7 +94,7 @@ final class PlantExperiment implements Experiment {
 
     private Filmed reference() {
         if (exact == null) {
-            exact = filmed(pictures.shot(PlantWay.MESHES.ordinal()), EXACT_SIDE);
+            exact = filmed(pictures.shot(Technique.MESHES.ordinal()), EXACT_SIDE);
         }
         return exact;
     }

@@ -9,11 +9,11 @@ import nephele.lab.trade.Trade;
 public final class PortalSubjects {
     private static final String TECHNIQUE_FIELD = "portalTechnique";
     private static final String RESOLUTION_FIELD = "portalResolution";
-    private static final String ORACLE = "the oracle: rays go through portals without a limit that shows";
+    private static final String REFERENCE = "the oracle: rays go through portals without a limit that shows";
 
     public static final Trade TECHNIQUE = PictureSubjects.setting(
             TECHNIQUE_FIELD,
-            ORACLE,
+            REFERENCE,
             List.of(
                     PictureSetting.of(TECHNIQUE_FIELD, "stencil"),
                     PictureSetting.of(TECHNIQUE_FIELD, "texture", "a picture of its own"),
@@ -22,7 +22,7 @@ public final class PortalSubjects {
 
     public static final Trade BUDGET = PictureSubjects.setting(
             "viewBudget",
-            ORACLE,
+            REFERENCE,
             Stream.concat(
                             Stream.of(PictureSetting.of("viewBudget", 0, "openings stay closed")),
                             PictureSetting.all("viewBudget", 1, 2, 3, 6, 9, 12, 32).stream())
@@ -35,11 +35,11 @@ public final class PortalSubjects {
                     "Views between facing portals",
                     "The same knob where it matters most: in the sample of two portals that face each other, which"
                             + " repeat until a view is smaller than a pixel.",
-                    ORACLE));
+                    REFERENCE));
 
     public static final Trade RESOLUTION = PictureSubjects.of(
             RESOLUTION_FIELD,
-            PictureSubjects.text(RESOLUTION_FIELD, ORACLE),
+            PictureSubjects.text(RESOLUTION_FIELD, REFERENCE),
             List.of(RESOLUTION_FIELD),
             "stencil",
             Stream.concat(
@@ -49,8 +49,8 @@ public final class PortalSubjects {
 
     private PortalSubjects() {}
 
-    private static PictureSetting resolution(String share) {
-        return new PictureSetting(
-                Setting.of(share), shot -> shot.set(TECHNIQUE_FIELD, "texture").set(RESOLUTION_FIELD, share));
+    private static PictureSetting resolution(String fraction) {
+        return new PictureSetting(Setting.of(fraction), shot -> shot.set(TECHNIQUE_FIELD, "texture")
+                .set(RESOLUTION_FIELD, fraction));
     }
 }

@@ -2,14 +2,30 @@ package nephele.lab.trade.subject;
 
 import java.util.List;
 import java.util.stream.Stream;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sun;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** The presets of quality, and the fields that change every pixel of a picture. */
+/** The presets of quality, the settings that change every pixel of a picture, and shadows. */
 public final class QualitySubjects {
+    private static final String SHADOW_FIELD = "shadowTexels";
+    public static final Trade SHADOW = PictureSubjects.of(
+            "shadow",
+            PictureSubjects.text(SHADOW_FIELD, "the oracle: every shadow is a ray"),
+            List.of(SHADOW_FIELD),
+            PictureSubjects.usual(SHADOW_FIELD),
+            Stream.concat(
+                            Stream.of(new PictureSetting(
+                                    new Setting("off", "no shadows at all"),
+                                    shot -> shot.with(unshadowed(shot.level())))),
+                            PictureSetting.all(SHADOW_FIELD, 256, 512, 1024, 2048, 4096, 8192).stream())
+                    .toList());
+
     private static final String LIT_LEVEL = "levels/01-courtyard.json";
-    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+    private static final String REFERENCE = "the oracle: rays through the level, many a pixel";
     private static final String SEEN = "the oracle's picture as it is displayed";
 
     public static final Trade PRESETS = PictureSubjects.of(
@@ -24,13 +40,13 @@ public final class QualitySubjects {
             Stream.of("low", "medium", "high", "ultra")
                     .map(preset -> new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset)))
                     .toList(),
-            Compared.SEEN);
+            ComparedValues.SEEN);
 
     public static final Trade RESOLUTION = PictureSubjects.setting(
             "pictureResolution",
             SEEN,
             PictureSetting.all("pictureResolution", "0.4", "0.5", "0.6", "0.7", "0.85", "1"),
-            Compared.SEEN);
+            ComparedValues.SEEN);
 
     private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(
                     Stream.of("0.3", "0.4", "0.5", "0.67").flatMap(size -> Stream.of(
@@ -57,20 +73,20 @@ public final class QualitySubjects {
             site -> new UpscaleExperiment(site, SIZES_AND_FILTERS));
 
     public static final Trade NORMAL_MAPS =
-            PictureSubjects.setting("normalMaps", ORACLE, PictureSetting.all("normalMaps", "off", "on"));
+            PictureSubjects.setting("normalMaps", REFERENCE, PictureSetting.all("normalMaps", "off", "on"));
 
     public static final Trade BRDF =
-            PictureSubjects.setting("brdf", ORACLE, PictureSetting.all("brdf", "lambert", "ggx"));
+            PictureSubjects.setting("brdf", REFERENCE, PictureSetting.all("brdf", "lambert", "ggx"));
 
-    public static final Trade SHADOW_FILTER =
-            PictureSubjects.setting("shadowFilter", ORACLE, PictureSetting.all("shadowFilter", "nearest", "bilinear"));
+    public static final Trade SHADOW_FILTER = PictureSubjects.setting(
+            "shadowFilter", REFERENCE, PictureSetting.all("shadowFilter", "nearest", "bilinear"));
 
     public static final Trade LIGHT_PARTS = PictureSubjects.setting(
-                    "lightParts", ORACLE, PictureSetting.all("lightParts", "ambient", "diffuse", "specular", "all"))
+                    "lightParts", REFERENCE, PictureSetting.all("lightParts", "ambient", "diffuse", "specular", "all"))
             .in(LIT_LEVEL);
 
     public static final Trade LIGHT_SHADOWS = PictureSubjects.setting(
-                    "lightShadows", ORACLE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
+                    "lightShadows", REFERENCE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
             .in(LIT_LEVEL);
 
     private QualitySubjects() {}
@@ -81,5 +97,32 @@ public final class QualitySubjects {
             case "edge_adaptive" -> "graphics cards";
             default -> "";
         };
+    }
+
+    /** Quality field {@code shadowTexels}, and shadows switched off. */
+    private static Level unshadowed(Level level) {
+        var light = level.environment();
+        Sun sun = light.sun() == null
+                ? null
+                : new Sun(light.sun().directionTowardsSun(), light.sun().irradiance(), false);
+        var environment = light.with(sun);
+        return level.with(
+                environment,
+                level.lights().stream().map(QualitySubjects::unshadowed).toList());
+    }
+
+    private static Light unshadowed(Light light) {
+        if (light instanceof Light.Spot spot) {
+            return new Light.Spot(
+                    spot.id(),
+                    spot.position(),
+                    spot.direction(),
+                    spot.radiantIntensity(),
+                    spot.rangeMetres(),
+                    spot.innerConeDegrees(),
+                    spot.outerConeDegrees(),
+                    false);
+        }
+        return new Light.Point(light.id(), light.position(), light.radiantIntensity(), light.rangeMetres(), false);
     }
 }

@@ -93,7 +93,7 @@ final class RecordedTraversal {
     ViewPose near() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             ViewPose pose = pose(tick, 0);
-            if (SourceTeleport.isDue(portals.portal(0), pose.eye())) {
+            if (ViewPose.isDue(portals.portal(0), pose.eye())) {
                 return pose;
             }
         }
@@ -126,8 +126,8 @@ final class RecordedTraversal {
         return new ViewPose[] {pose(tick, low), pose(tick, high)};
     }
 
-    private ViewPose pose(int tick, double share) {
-        return ViewPose.of(PlayerPose.between(states.get(tick), states.get(tick + 1), share));
+    private ViewPose pose(int tick, double fraction) {
+        return ViewPose.of(PlayerPose.between(states.get(tick), states.get(tick + 1), fraction));
     }
 
     private static double apart(ViewPose a, ViewPose b) {

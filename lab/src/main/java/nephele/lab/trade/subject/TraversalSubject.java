@@ -35,7 +35,7 @@ public final class TraversalSubject implements Experiment {
                     "a window: what is seen does not leap at all"),
             List.of(),
             List.of(
-                    new Setting("teleport", "the source's way, within " + SourceTeleport.NEAR_METRES + " m"),
+                    new Setting("teleport", "the source's way, within " + ViewPose.NEAR_METRES + " m"),
                     new Setting("teleportKeepingView", "the same, but the view keeps its angle to the portal"),
                     new Setting("timeOfImpact", "the game's")),
             2,
@@ -94,8 +94,8 @@ public final class TraversalSubject implements Experiment {
             return null;
         }
         ViewPose moved = setting == 0
-                ? SourceTeleport.alongNormal(portals.portal(1))
-                : SourceTeleport.keepingView(transform, portals.portal(1), near);
+                ? ViewPose.alongNormal(portals.portal(1))
+                : ViewPose.keepingView(transform, portals.portal(1), near);
         return ViewJump.of(transform, near, moved);
     }
 
@@ -114,7 +114,7 @@ public final class TraversalSubject implements Experiment {
 
     private boolean isNear(Portals portals, int at) {
         for (int portal = 0; portal < portals.size(); portal++) {
-            if (SourceTeleport.isDue(portals.portal(portal), places.get(at))) {
+            if (ViewPose.isDue(portals.portal(portal), places.get(at))) {
                 return true;
             }
         }

@@ -94,7 +94,7 @@ final class UpscaleExperiment implements Experiment {
 
         InLevel(TradeSite site, List<PictureSetting> settings) {
             this.site = site;
-            pictures = new PictureExperiment(site, settings, Compared.SEEN);
+            pictures = new PictureExperiment(site, settings, ComparedValues.SEEN);
             still = Footage.still(site);
             path = Footage.path(site);
             Shot usual = pictures.shot(0).set("pictureResolution", 1);
@@ -119,9 +119,9 @@ final class UpscaleExperiment implements Experiment {
             var shot = pictures.shot(setting);
             var flat = new Shot(IdLevel.of(shot.level()), Output.PLAIN, shot.preset(), shot.set()).set("rims", "off");
             var whole = flat.set("pictureResolution", 1);
-            double share = flat.settings(true).quality().pictureResolution();
-            int width = (int) Math.round(share * still.width());
-            int height = (int) Math.round(share * still.height());
+            double fraction = flat.settings(true).quality().pictureResolution();
+            int width = (int) Math.round(fraction * still.width());
+            int height = (int) Math.round(fraction * still.height());
             byte[] small = stored(whole, width, height);
             byte[] enlarged = new byte[4 * still.width() * still.height()];
             for (int pixel = 0; pixel < still.width() * still.height(); pixel++) {
@@ -144,7 +144,7 @@ final class UpscaleExperiment implements Experiment {
         }
 
         BufferedImage shown(LinearPicture picture) {
-            return Compared.SEEN.shown(picture, site.level().environment());
+            return ComparedValues.SEEN.shown(picture, site.level().environment());
         }
     }
 }

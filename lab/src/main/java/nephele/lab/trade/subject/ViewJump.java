@@ -30,8 +30,9 @@ record ViewJump(double degrees, double metres, double pixels) {
      */
     static ViewJump of(PortalTransform transform, ViewPose before, ViewPose after) {
         ViewPose expected = before.through(transform);
-        Vector3d way = after.eye().toVector().sub(expected.eye().toVector());
-        return new ViewJump(turnDegrees(expected.view(), after.view()), way.length(), meanPixels(expected, after));
+        Vector3d displacement = after.eye().toVector().sub(expected.eye().toVector());
+        return new ViewJump(
+                turnDegrees(expected.view(), after.view()), displacement.length(), meanPixels(expected, after));
     }
 
     /** Computed from the sine of half the angle, so that small rotations keep their precision. */

@@ -59,12 +59,12 @@ final class XmlPictureExperiment implements Experiment {
     @Override
     public Judgement judge(int setting) {
         LinearPicture test = scene(setting).displayed();
-        ErrorMap flip = Flip.ofDisplayed(oracle(), test);
+        ErrorMap flip = Flip.ofDisplayed(reference(), test);
         site.gl().requireNoError("still life");
-        return PictureExperiment.judgement(oracle(), test, flip, Compared.DISPLAY.shown(test, null));
+        return PictureExperiment.judgement(reference(), test, flip, ComparedValues.DISPLAY.shown(test, null));
     }
 
-    private LinearPicture oracle() {
+    private LinearPicture reference() {
         if (exact == null) {
             try (var fine = scene(exactWay, EXACT_SIDE)) {
                 exact = fine.displayed().reduced(EXACT_SIDE);
@@ -75,7 +75,7 @@ final class XmlPictureExperiment implements Experiment {
 
     @Override
     public BufferedImage exact() {
-        return Compared.DISPLAY.shown(oracle(), null);
+        return ComparedValues.DISPLAY.shown(reference(), null);
     }
 
     @Override
@@ -111,7 +111,7 @@ final class XmlPictureExperiment implements Experiment {
         /** Draws the scene and returns the light that a display emits. */
         LinearPicture displayed() {
             draw();
-            return Compared.DISPLAY.read(null, picture);
+            return ComparedValues.DISPLAY.read(null, picture);
         }
 
         @Override

@@ -29,8 +29,7 @@ class UniformsGlTest {
     private record OtherType(Uniforms.Vector4 offset) {}
 
     private static <U extends Record> GlProgram<U> program(GlContext gl, String fragment, Class<U> uniforms) {
-        return new GlProgram<>(
-                gl, source("a.vert", VERTEX), source("a.frag", fragment), found -> found.record(uniforms));
+        return GlProgram.of(gl, source("a.vert", VERTEX), source("a.frag", fragment), uniforms);
     }
 
     private static ShaderSource source(String name, String text) {

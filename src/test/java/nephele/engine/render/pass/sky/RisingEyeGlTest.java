@@ -11,7 +11,7 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.frame.ToneMapping;
-import nephele.engine.render.resource.ByHeight;
+import nephele.engine.render.resource.HeightCache;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,10 +25,10 @@ class RisingEyeGlTest {
     private static double boundary(double from) {
         double low = from;
         double high = 1.3 * from + 120;
-        double shelf = ByHeight.shelf(from);
+        double shelf = HeightCache.shelf(from);
         while (high - low > MILLIMETRE / 2) {
             double middle = (low + high) / 2;
-            if (ByHeight.shelf(middle) == shelf) {
+            if (HeightCache.shelf(middle) == shelf) {
                 low = middle;
             } else {
                 high = middle;
@@ -54,7 +54,7 @@ class RisingEyeGlTest {
                 .sun(new Vec3(Math.cos(sun), Math.sin(sun), 0), 4)
                 .level();
         double edge = boundary(from);
-        assertTrue(ByHeight.shelf(edge - MILLIMETRE) < ByHeight.shelf(edge + MILLIMETRE), "two tables");
+        assertTrue(HeightCache.shelf(edge - MILLIMETRE) < HeightCache.shelf(edge + MILLIMETRE), "two tables");
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             float[] below = offscreen.radiance(level, TestAssets.NONE, view(edge - MILLIMETRE));
             float[] above = offscreen.radiance(level, TestAssets.NONE, view(edge + MILLIMETRE));

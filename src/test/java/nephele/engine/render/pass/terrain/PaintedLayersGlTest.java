@@ -28,7 +28,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -107,7 +107,7 @@ class PaintedLayersGlTest {
                     offscreen.radiance(level, assets, List.of(view), quality).get(0);
             TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
             float[] traced = ReferencePicture.trace(
-                    twin, PinholeViews.of(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
+                    twin, TracedPictures.pinhole(view), new TraceSettings(SIZE, SIZE, 1, 1, 2), done -> {});
             int differing = 0;
             for (int i = 0; i < drawn.length; i++) {
                 differing += Math.abs(drawn[i] - traced[i]) > share * Math.max(traced[i], 0.05) ? 1 : 0;

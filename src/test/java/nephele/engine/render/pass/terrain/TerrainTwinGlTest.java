@@ -26,7 +26,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -163,7 +163,7 @@ class TerrainTwinGlTest {
             View view = offscreen.view(centre.plus(new Vec3(2, 13, 14)), centre.plus(new Vec3(0, 6, 0)));
             int[] drawn = offscreen.pixels(ids, MAP, view, RenderSettings.of(Output.PLAIN));
             VisibleSurface sight = TracedLevel.of(PlacedLevel.of(ids, MAP), ColourDecoding.AS_STORED)
-                    .sight(PinholeViews.of(view));
+                    .sight(TracedPictures.pinhole(view));
             int differing = 0;
             int ground = 0;
             for (int i = 0; i < drawn.length; i++) {
@@ -195,7 +195,7 @@ class TerrainTwinGlTest {
                         .get(0);
                 TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
                 TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-                return new Twins(drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {}));
+                return new Twins(drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {}));
             }
         }
 

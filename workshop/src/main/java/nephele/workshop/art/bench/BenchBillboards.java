@@ -1,5 +1,6 @@
 package nephele.workshop.art.bench;
 
+import nephele.engine.level.ModelPlacement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,9 @@ import nephele.engine.math.Vec3;
 /** The billboards of the benchmark scenes: trees on a jittered grid, over one textured ground. */
 final class BenchBillboards {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
+    private static final double TREE_SPACING_METRES = 3;
+    private static final double SQUARE_METRES_PER_TREE = 25;
+
     private static final double SPACING_METRES = 4;
     private static final double TREE_METRES = 3;
 
@@ -59,5 +63,22 @@ final class BenchBillboards {
             places.add(new Vec3(x, 0, z));
         }
         return places;
+    }
+
+    /** Adds ground and trees around the origin. */
+    static Level forest(Level empty, int count) {
+        double side = Math.sqrt(SQUARE_METRES_PER_TREE * count);
+        Material leaves = new Material("plants", ONE, "textures/plants.png", null, null, null, Vec3.ZERO, 1);
+        List<ModelPlacement> trees = new ArrayList<>();
+        trees.add(trees("oak", 1, 2 * count / 5));
+        trees.add(trees("fir", 2, 2 * count / 5));
+        trees.add(trees("birch", 3, count / 5));
+        return empty.with(
+                List.of(ground(), leaves), List.of(plain(side)), List.of(), trees);
+    }
+
+    private static ModelPlacement trees(String kind, int seed, int count) {
+        return new ModelPlacement(kind, "models/plants/" + kind + ".3d", null, List.of(), "plants", false)
+                .over(new Billboards.Field(null, seed, count, TREE_SPACING_METRES, null, 90, null), 0.35);
     }
 }

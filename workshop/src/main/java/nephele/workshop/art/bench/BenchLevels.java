@@ -106,7 +106,7 @@ public final class BenchLevels {
                 "case F: " + count + " trees as impostors, 25 m² each, seen from the same place over the middle",
                 sunlit(),
                 path(BenchPath::forest));
-        return BenchForest.planted(empty, count);
+        return BenchBillboards.forest(empty, count);
     }
 
     private static List<Solid> grid(int count) {

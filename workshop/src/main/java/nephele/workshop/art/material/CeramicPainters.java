@@ -1,6 +1,5 @@
 package nephele.workshop.art.material;
 
-import nephele.workshop.art.paint.ArtPalette;
 import nephele.workshop.art.paint.Bond;
 import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Shapes;
@@ -26,9 +25,9 @@ final class CeramicPainters {
             double body = Shapes.ramp(0.004, 0.011, brick.edge() + wobble);
             double grain = noise.cloud(u, v, 72, 2);
             double patch = noise.cloud(u, v, 10, 4);
-            PaintColour clay = ArtPalette.BRICK.mix(ArtPalette.TERRACOTTA, 0.55 * brick.random(4) * brick.random(9));
-            clay = clay.mix(ArtPalette.MORTAR, 0.16 * Shapes.ramp(0, 0.8, patch));
-            texel.colour = ArtPalette.MORTAR.times(0.93 + 0.03 * grain);
+            PaintColour clay = PaintColour.BRICK.mix(PaintColour.TERRACOTTA, 0.55 * brick.random(4) * brick.random(9));
+            clay = clay.mix(PaintColour.MORTAR, 0.16 * Shapes.ramp(0, 0.8, patch));
+            texel.colour = PaintColour.MORTAR.times(0.93 + 0.03 * grain);
             texel.blend(clay.times(0.95 + 0.13 * (brick.random(5) - 0.5) + 0.05 * grain), body);
             texel.height = 0.005 * body + 0.0008 * grain * body + 0.0016 * (brick.random(6) - 0.5) * body;
             texel.roughness = 1 - 0.08 * body * brick.random(7);
@@ -47,8 +46,8 @@ final class CeramicPainters {
             double body = Shapes.ramp(0.003, 0.009, tile.edge() + wobble);
             double cloudy = noise.cloud(u + tile.random(2), v + tile.random(3), 9, 4);
             double grain = noise.cloud(u, v, 90, 1);
-            PaintColour clay = ArtPalette.TERRACOTTA.mix(ArtPalette.BRICK, 0.3 + 0.3 * tile.random(4));
-            texel.colour = ArtPalette.MORTAR.times(0.72);
+            PaintColour clay = PaintColour.TERRACOTTA.mix(PaintColour.BRICK, 0.3 + 0.3 * tile.random(4));
+            texel.colour = PaintColour.MORTAR.times(0.72);
             texel.blend(clay.times(1 + 0.09 * (tile.random(5) - 0.5) + 0.06 * cloudy + 0.02 * grain), body);
             double pillow = Shapes.ramp(0, 0.03, tile.edge());
             texel.height = 0.003 * body + 0.0012 * pillow + 0.0006 * cloudy;
@@ -66,12 +65,12 @@ final class CeramicPainters {
         double body = Shapes.ramp(0.002, 0.007, stone.edge());
         double drift = 0.5 + 0.5 * new TileNoise(91).cloud(x / metres, y / metres, 3, 3);
         double pick = 0.55 * stone.random(2) + 0.45 * drift;
-        PaintColour glaze = ArtPalette.TEAL.times(0.8).mix(ArtPalette.TEAL, Shapes.ramp(0.2, 0.45, pick));
-        glaze = glaze.mix(ArtPalette.TEAL_PALE, Shapes.ramp(0.55, 0.8, pick));
+        PaintColour glaze = PaintColour.TEAL.times(0.8).mix(PaintColour.TEAL, Shapes.ramp(0.2, 0.45, pick));
+        glaze = glaze.mix(PaintColour.TEAL_PALE, Shapes.ramp(0.55, 0.8, pick));
         if (stone.random(4) > 0.985) {
-            glaze = ArtPalette.SIGNAL;
+            glaze = PaintColour.SIGNAL;
         }
-        texel.colour = ArtPalette.MORTAR.times(0.9);
+        texel.colour = PaintColour.MORTAR.times(0.9);
         texel.blend(glaze.times(0.94 + 0.12 * stone.random(3)), body);
         double tiltX = (stone.random(5) - 0.5) * 0.04 * stone.x();
         double tiltY = (stone.random(6) - 0.5) * 0.04 * stone.y();
@@ -88,10 +87,10 @@ final class CeramicPainters {
             double rippleX = noise.cloud(u, v, 5, 3);
             double rippleY = noise.cloud(u + 0.5, v + 0.25, 5, 3);
             tessera(surface.metres(), x + 0.03 * rippleX, y + 0.03 * rippleY, texel);
-            texel.blend(ArtPalette.TEAL.times(0.62), 0.5);
+            texel.blend(PaintColour.TEAL.times(0.62), 0.5);
             TileNoise.Cell net = noise.cell(u + 0.02 * rippleX, v + 0.02 * rippleY, 9);
             double caustic = 1 - Shapes.ramp(0, 0.22, net.second() - net.nearest());
-            texel.blend(ArtPalette.TEAL_PALE.mix(ArtPalette.PANEL, 0.4), 0.34 * caustic * caustic);
+            texel.blend(PaintColour.TEAL_PALE.mix(PaintColour.PANEL, 0.4), 0.34 * caustic * caustic);
             texel.height = 0.006 * rippleX + 0.0012 * noise.cloud(u, v, 20, 2);
             texel.roughness = 1;
         });

@@ -1,6 +1,6 @@
 package nephele.workshop.art.material;
 
-import nephele.workshop.art.paint.ArtPalette;
+import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Bond;
 import nephele.workshop.art.paint.Shapes;
 import nephele.workshop.art.paint.Surface;
@@ -22,7 +22,7 @@ final class MetalPainters {
             coat(noise, u, v, texel);
             texel.shade(1 + 0.1 * (plate.random(4) - 0.5));
             double rubbed = 1 - Shapes.ramp(0.004, 0.016, plate.edge() + 0.008 * noise.cloud(u, v, 24, 3));
-            texel.blend(ArtPalette.JOINT, 0.35 * rubbed);
+            texel.blend(PaintColour.JOINT, 0.35 * rubbed);
             rivets(plate, texel);
             double gap = 1 - Shapes.ramp(0.002, 0.006, plate.edge());
             texel.shade(1 - 0.7 * gap);
@@ -33,7 +33,7 @@ final class MetalPainters {
     private static void coat(TileNoise noise, double u, double v, Texel texel) {
         double brushed = noise.stretched(u, v, 4, 128, 2);
         double cloudy = noise.cloud(u, v, 5, 4);
-        texel.colour = ArtPalette.METAL;
+        texel.colour = PaintColour.METAL;
         texel.shade(1 + 0.045 * brushed + 0.06 * cloudy);
         texel.height = 0.00008 * brushed;
         texel.roughness = 0.82 + 0.14 * cloudy;
@@ -66,9 +66,9 @@ final class MetalPainters {
             double stripe = Shapes.ramp(-0.008, 0.008, offset);
             double cloudy = noise.cloud(u, v, 6, 5);
             double scuff = Shapes.ramp(0.42, 0.62, noise.cloud(u + 0.3, v, 9, 6));
-            texel.colour = ArtPalette.CHARCOAL.mix(ArtPalette.SIGNAL, stripe);
+            texel.colour = PaintColour.CHARCOAL.mix(PaintColour.SIGNAL, stripe);
             texel.shade(1 + 0.05 * cloudy);
-            texel.blend(ArtPalette.JOINT, 0.6 * scuff);
+            texel.blend(PaintColour.JOINT, 0.6 * scuff);
             texel.height = 0.0004 * (1 - scuff) + 0.00015 * cloudy;
             texel.roughness = 0.75 + 0.25 * scuff;
         });

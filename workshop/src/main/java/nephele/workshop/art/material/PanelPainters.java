@@ -1,6 +1,6 @@
 package nephele.workshop.art.material;
 
-import nephele.workshop.art.paint.ArtPalette;
+import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Bond;
 import nephele.workshop.art.paint.Shapes;
 import nephele.workshop.art.paint.Surface;
@@ -23,7 +23,7 @@ final class PanelPainters {
             double v = y / surface.metres();
             Bond.Piece plate = plates.at(x, y);
             double haze = noise.cloud(u, v, 4, 4);
-            texel.colour = ArtPalette.PANEL;
+            texel.colour = PaintColour.PANEL;
             texel.shade(0.985 + 0.022 * (plate.random(1) - 0.5) + 0.008 * haze);
             texel.roughness = 0.86 + 0.08 * haze;
             double inner = Shapes.roundedBox(plate.x(), plate.y(), 0.43, 0.43, 0.06);
@@ -44,7 +44,7 @@ final class PanelPainters {
         double dy = Math.abs(plate.y()) - 0.455;
         double head = Shapes.disc(dx, dy, 0.011, 0.004);
         double rim = Shapes.disc(dx, dy, 0.014, 0.004) - head;
-        texel.blend(ArtPalette.CONCRETE, 0.6 * head);
+        texel.blend(PaintColour.CONCRETE, 0.6 * head);
         texel.shade(1 - 0.3 * rim);
         texel.height -= 0.001 * rim;
     }
@@ -54,7 +54,7 @@ final class PanelPainters {
         double bevel = 1 - Shapes.ramp(0.003, 0.016, outline);
         texel.height -= 0.006 * bevel * bevel;
         double gap = 1 - Shapes.ramp(0.002, 0.006, outline);
-        texel.blend(ArtPalette.METAL, 0.75 * gap);
+        texel.blend(PaintColour.METAL, 0.75 * gap);
         texel.roughness = Math.max(texel.roughness, gap);
     }
 
@@ -67,11 +67,11 @@ final class PanelPainters {
             Bond.Piece hole = holes.at(x, y);
             double field = 1 - Shapes.ramp(-0.002, 0.002, Math.max(Math.abs(coffer.x()), Math.abs(coffer.y())) - 0.4);
             double bore = field * Shapes.disc(hole.x(), hole.y(), 0.010, 0.006);
-            texel.colour = ArtPalette.PLASTER.mix(ArtPalette.PANEL, 0.6);
+            texel.colour = PaintColour.PLASTER.mix(PaintColour.PANEL, 0.6);
             texel.shade(0.985 + 0.02 * (coffer.random(1) - 0.5));
             texel.shade(1 - 0.6 * bore);
             texel.height = -0.003 * bore;
-            StonePainters.groove(texel, coffer.edge(), 0.008);
+            GroundPainters.groove(texel, coffer.edge(), 0.008);
         });
     }
 
@@ -81,8 +81,8 @@ final class PanelPainters {
         surface.each((x, y, texel) -> {
             Bond.Piece cell = cells.at(x, y);
             double bar = 1 - Shapes.ramp(0.005, 0.010, cell.edge());
-            texel.colour = ArtPalette.PANEL.times(0.98 + 0.02 * Shapes.ramp(0, 0.1, cell.edge()));
-            texel.blend(ArtPalette.METAL, 0.6 * bar);
+            texel.colour = PaintColour.PANEL.times(0.98 + 0.02 * Shapes.ramp(0, 0.1, cell.edge()));
+            texel.blend(PaintColour.METAL, 0.6 * bar);
             texel.height = 0.004 * bar;
         });
     }
@@ -95,7 +95,7 @@ final class PanelPainters {
             double v = y / surface.metres();
             double haze = noise.cloud(u, v, 3, 4);
             double drip = Shapes.ramp(0.2, 0.9, noise.stretched(u, v, 40, 3, 2));
-            texel.colour = ArtPalette.GLASS.mix(ArtPalette.TEAL, 0.05 + 0.03 * haze);
+            texel.colour = PaintColour.GLASS.mix(PaintColour.TEAL, 0.05 + 0.03 * haze);
             texel.shade(1 + 0.06 * drip);
             texel.height = 0.0002 * haze;
             texel.roughness = 0.6 + 0.2 * haze + 0.2 * drip;

@@ -5,11 +5,11 @@ import java.util.List;
 /** The recipes of every tileable material of the game; levels name the files. */
 public final class Textures {
     public static final List<TextureRecipe> ALL = List.of(
-            new TextureRecipe("concrete", 2, StonePainters::concrete),
-            new TextureRecipe("plaster", 2, StonePainters::plaster),
-            new TextureRecipe("paver", 2, StonePainters::paver),
-            new TextureRecipe("terrazzo", 2, StonePainters::terrazzo),
-            new TextureRecipe("gravel", 2, StonePainters::gravel),
+            new TextureRecipe("concrete", 2, GroundPainters::concrete),
+            new TextureRecipe("plaster", 2, GroundPainters::plaster),
+            new TextureRecipe("paver", 2, GroundPainters::paver),
+            new TextureRecipe("terrazzo", 2, GroundPainters::terrazzo),
+            new TextureRecipe("gravel", 2, GroundPainters::gravel),
             new TextureRecipe("brick", 2, CeramicPainters::brick),
             new TextureRecipe("terracotta", 2, CeramicPainters::terracotta),
             new TextureRecipe("mosaic", 2, CeramicPainters::mosaic),
@@ -23,8 +23,8 @@ public final class Textures {
             new TextureRecipe("metal-plates", 2, MetalPainters::plates),
             new TextureRecipe("metal-frame", 2, MetalPainters::frame),
             new TextureRecipe("hazard", 1, MetalPainters::hazard),
-            new TextureRecipe("grass", 2, GrassPainter::lawn),
-            new TextureRecipe("cliff", 4, CliffPainter::cliff));
+            new TextureRecipe("grass", 2, GroundPainters::lawn),
+            new TextureRecipe("cliff", 4, GroundPainters::cliff));
 
     private Textures() {}
 }

@@ -1,6 +1,5 @@
 package nephele.workshop.art.material;
 
-import nephele.workshop.art.paint.ArtPalette;
 import nephele.workshop.art.paint.Bond;
 import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Shapes;
@@ -25,7 +24,7 @@ final class WoodPainters {
 
     private static void joint(Bond.Piece plank, Texel texel) {
         double open = 1 - Shapes.ramp(0.001, 0.006, plank.edge());
-        texel.blend(ArtPalette.CHARCOAL, 0.7 * open);
+        texel.blend(PaintColour.CHARCOAL, 0.7 * open);
         texel.height -= 0.004 * open;
     }
 
@@ -38,7 +37,7 @@ final class WoodPainters {
         double rings = 0.5 + 0.5 * StrictMath.sin(2 * Math.PI * (9 * v * 4 + 3.2 * sway));
         double fibre = noise.stretched(u, v, 6, 150, 2);
         double pore = Shapes.ramp(0.35, 0.8, noise.stretched(u, v, 12, 220, 1));
-        texel.colour = ArtPalette.OAK.mix(ArtPalette.OAK_DARK, 0.3 * rings * rings + 0.1 * Shapes.ramp(-0.5, 1, sway));
+        texel.colour = PaintColour.OAK.mix(PaintColour.OAK_DARK, 0.3 * rings * rings + 0.1 * Shapes.ramp(-0.5, 1, sway));
         texel.shade(1 + 0.06 * fibre - 0.14 * pore);
         texel.height = 0.0002 * fibre - 0.0003 * pore;
         texel.roughness = 0.85 + 0.1 * rings;
@@ -53,7 +52,7 @@ final class WoodPainters {
             grain(surface.metres(), y, x, slat.column(), texel);
             texel.shade(0.95 + 0.16 * (slat.random(5) - 0.5));
             double shadow = Shapes.ramp(0.036, 0.05, Math.abs(slat.x()));
-            PaintColour felt = ArtPalette.CHARCOAL.times(0.75 - 0.25 * (1 - shadow));
+            PaintColour felt = PaintColour.CHARCOAL.times(0.75 - 0.25 * (1 - shadow));
             texel.colour = felt.mix(texel.colour, face);
             texel.height = texel.height * face + 0.012 * face;
             texel.roughness = face * texel.roughness + (1 - face);

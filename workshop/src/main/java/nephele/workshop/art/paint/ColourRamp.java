@@ -25,8 +25,8 @@ public final class ColourRamp {
     public PaintColour at(double place) {
         for (int i = 1; i < places.length; i++) {
             if (place < places[i]) {
-                double share = Math.max(0, (place - places[i - 1]) / (places[i] - places[i - 1]));
-                return colours[i - 1].mix(colours[i], share);
+                double fraction = Math.max(0, (place - places[i - 1]) / (places[i] - places[i - 1]));
+                return colours[i - 1].mix(colours[i], fraction);
             }
         }
         return colours[colours.length - 1];

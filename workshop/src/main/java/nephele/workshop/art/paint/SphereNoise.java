@@ -90,7 +90,7 @@ public final class SphereNoise {
         return t * t * t * (t * (t * 6 - 15) + 10);
     }
 
-    private static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 }

@@ -18,14 +18,14 @@ public final class Surface {
 
     /** A texel. */
     public static final class Texel {
-        public PaintColour colour = ArtPalette.CONCRETE;
+        public PaintColour colour = PaintColour.CONCRETE;
         /** Height in metres. */
         public double height;
         /** Factor on the material's roughness, 0–1. */
         public double roughness = 1;
 
-        public void blend(PaintColour over, double share) {
-            colour = colour.mix(over, share);
+        public void blend(PaintColour over, double fraction) {
+            colour = colour.mix(over, fraction);
         }
 
         public void shade(double factor) {

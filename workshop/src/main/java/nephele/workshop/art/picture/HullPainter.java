@@ -1,7 +1,6 @@
 package nephele.workshop.art.picture;
 
 import java.awt.image.BufferedImage;
-import nephele.workshop.art.paint.ArtPalette;
 import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Pixels;
 import nephele.workshop.art.paint.Shapes;
@@ -13,7 +12,7 @@ final class HullPainter {
     private static final PaintColour PLATE = PaintColour.of(0xD9DCE0);
     private static final PaintColour DARK_PLATE = PaintColour.of(0x9AA3AD);
     private static final PaintColour SEAM = PaintColour.of(0x3E454E);
-    private static final PaintColour STRIPE = ArtPalette.SIGNAL;
+    private static final PaintColour STRIPE = PaintColour.SIGNAL;
 
     private HullPainter() {}
 

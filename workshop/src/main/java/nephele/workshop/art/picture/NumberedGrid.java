@@ -2,7 +2,6 @@ package nephele.workshop.art.picture;
 
 import java.awt.image.BufferedImage;
 import nephele.workshop.art.paint.PaintColour;
-import nephele.workshop.art.paint.PixelLetters;
 import nephele.workshop.art.paint.Pixels;
 
 /**
@@ -11,6 +10,21 @@ import nephele.workshop.art.paint.Pixels;
  * yellow, the top blue.
  */
 final class NumberedGrid {
+    public static final int DIGIT_WIDTH = 5;
+    static final int DIGIT_HEIGHT = 7;
+    private static final String[] DIGITS = {
+        "01110 10001 10011 10101 11001 10001 01110",
+        "00100 01100 00100 00100 00100 00100 01110",
+        "01110 10001 00001 00010 00100 01000 11111",
+        "11111 00010 00100 00010 00001 10001 01110",
+        "00010 00110 01010 10010 11111 00010 00010",
+        "11111 10000 11110 00001 00001 10001 01110",
+        "00110 01000 10000 11110 10001 10001 01110",
+        "11111 00001 00010 00100 01000 01000 01000",
+        "01110 10001 10001 01110 10001 10001 01110",
+        "01110 10001 10001 01111 00001 00010 01100"
+    };
+
     static final String FILE = "textures/test/numbered-grid.png";
 
     private static final int CELLS = 8;
@@ -55,12 +69,12 @@ final class NumberedGrid {
     }
 
     private static boolean isNumber(int number, int x, int y) {
-        int left = (CELL - (2 * PixelLetters.WIDTH + 1) * DOT) / 2;
+        int left = (CELL - (2 * DIGIT_WIDTH + 1) * DOT) / 2;
         int top = 28;
         int dotX = Math.floorDiv(x - left, DOT);
         int dotY = Math.floorDiv(y - top, DOT);
-        return PixelLetters.hasDot(number / 10, dotX, dotY)
-                || PixelLetters.hasDot(number % 10, dotX - PixelLetters.WIDTH - 1, dotY);
+        return hasDot(number / 10, dotX, dotY)
+                || hasDot(number % 10, dotX - DIGIT_WIDTH - 1, dotY);
     }
 
     private static boolean isArrow(int x, int y) {
@@ -68,5 +82,11 @@ final class NumberedGrid {
         boolean head = y >= 8 && y < 18 && away <= y - 7;
         boolean shaft = y >= 18 && y < 24 && away <= 2.5;
         return head || shaft;
+    }
+
+    /** Returns true if the digit has a dot at x and y, which count from its upper left corner; false outside. */
+    public static boolean hasDot(int digit, int x, int y) {
+        boolean inside = x >= 0 && x < DIGIT_WIDTH && y >= 0 && y < DIGIT_HEIGHT;
+        return inside && DIGITS[digit].charAt(y * (DIGIT_WIDTH + 1) + x) == '1';
     }
 }

@@ -22,7 +22,7 @@ public final class ScenePictures {
             PictureRecipe.globe("saturn", 256, CloudyGlobes.saturn()),
             PictureRecipe.globe("uranus", 128, CloudyGlobes.uranus()),
             PictureRecipe.globe("neptune", 256, CloudyGlobes.neptune()),
-            new PictureRecipe("textures/scenes/saturn-rings.png", RingPainter::paint),
+            new PictureRecipe("textures/scenes/saturn-rings.png", CloudyGlobes::saturnRings),
             new PictureRecipe("textures/scenes/stars.png", StarPainter::paint),
             new PictureRecipe("textures/scenes/hull.png", HullPainter::paint),
             new PictureRecipe("textures/scenes/whitewash.png", CoastPainters::whitewash),

@@ -1,7 +1,6 @@
 package nephele.workshop.art.picture;
 
 import java.awt.image.BufferedImage;
-import nephele.workshop.art.paint.ArtPalette;
 import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Pixels;
 import nephele.workshop.art.paint.Shapes;
@@ -32,10 +31,10 @@ public final class SignPainter {
         for (int i = 0; i < 3; i++) {
             clouds = Math.max(clouds, inside(cloud(x - 0.25 - 0.25 * i, y - 0.17)) * (i == 0 ? 1 : 0.28));
         }
-        PaintColour ground = ArtPalette.CHARCOAL.times(1.05 + 0.03 * new TileNoise(401).cloud(x, y, 5, 4));
-        return ground.mix(ArtPalette.PANEL, 0.5 * border)
-                .mix(ArtPalette.SIGNAL, digits)
-                .mix(ArtPalette.PANEL, clouds);
+        PaintColour ground = PaintColour.CHARCOAL.times(1.05 + 0.03 * new TileNoise(401).cloud(x, y, 5, 4));
+        return ground.mix(PaintColour.PANEL, 0.5 * border)
+                .mix(PaintColour.SIGNAL, digits)
+                .mix(PaintColour.PANEL, clouds);
     }
 
     private static double inside(double distance) {

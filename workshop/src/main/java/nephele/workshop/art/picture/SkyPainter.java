@@ -1,5 +1,8 @@
 package nephele.workshop.art.picture;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
+import nephele.engine.level.SkyboxLayout;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import nephele.engine.level.appearance.SkyboxSquare;
@@ -15,6 +18,10 @@ import org.joml.Vector3d;
  * the sea.
  */
 public final class SkyPainter {
+    private static final int LAYOUT_PIXELS = 128;
+    private static final List<SkyboxLayout> LAYOUTS =
+            List.of(SkyboxLayout.OPENGL, SkyboxLayout.QUAKE2, SkyboxLayout.TERRAGEN);
+
     static final int SIDE_PIXELS = 512;
     /**
      * The direction to the sun in this sky, not of unit length; a level with this sky gives its sun the same direction.
@@ -194,5 +201,34 @@ public final class SkyPainter {
 
     private static double relief(double turn, double up, int layer) {
         return new TileNoise(349 + layer).cloud(turn, up * 0.6 + 0.5, 48, 4);
+    }
+
+    /** Returns the asset ids of a layout in its order, in the format that its programs write. */
+    private static List<String> layoutFiles(SkyboxLayout layout) {
+        return SkyboxSquare.of(layout).stream()
+                .map(square -> layoutFile(layout, square.name()))
+                .toList();
+    }
+
+    private static String layoutFile(SkyboxLayout layout, String name) {
+        return switch (layout) {
+            case QUAKE2 -> "textures/sky-bay-quake2/bay_" + name + ".tga";
+            case TERRAGEN -> "textures/sky-bay-terragen/" + name + ".bmp";
+            case OPENGL, FACES, CROSS -> "textures/sky-bay-opengl/" + name + ".png";
+        };
+    }
+
+    /** Returns the painted pictures by asset id. */
+    public static Map<String, BufferedImage> layouts() {
+        Map<String, BufferedImage> pictures = new LinkedHashMap<>();
+        SkyPainter painter = new SkyPainter();
+        for (SkyboxLayout layout : LAYOUTS) {
+            List<String> files = layoutFiles(layout);
+            for (int i = 0; i < files.size(); i++) {
+                SkyboxSquare square = SkyboxSquare.of(layout).get(i);
+                pictures.put(files.get(i), painter.square(square, LAYOUT_PIXELS));
+            }
+        }
+        return pictures;
     }
 }

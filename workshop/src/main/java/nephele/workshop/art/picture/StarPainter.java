@@ -92,10 +92,10 @@ final class StarPainter {
         return core + halo * (1 - Shapes.ramp(2.5, 4.5, Math.sqrt(dx * dx + dy * dy)));
     }
 
-    private void shine(int column, int row, PaintColour light, double share) {
+    private void shine(int column, int row, PaintColour light, double fraction) {
         if (column >= 0 && row >= 0 && column < WIDTH && row < HEIGHT) {
             int at = row * WIDTH + column;
-            pixels[at] = pixels[at].mix(light, Math.min(1, share));
+            pixels[at] = pixels[at].mix(light, Math.min(1, fraction));
         }
     }
 }

@@ -1,6 +1,7 @@
 package nephele.workshop.art.sprite;
 
 import java.awt.image.BufferedImage;
+import nephele.workshop.art.paint.PaintColour;
 
 /** Painters of low plants: an oleander in bloom, lavender, and a tuft of grass. */
 final class HerbPainters {
@@ -10,7 +11,7 @@ final class HerbPainters {
         SpriteCanvas canvas = new SpriteCanvas(384, 288, 113);
         for (int i = 0; i < 26; i++) {
             double x = canvas.between(-0.4, 0.4);
-            canvas.stroke(0.25 * x, 0, x, canvas.between(0.3, 0.6), 0.014, 0.006, Tint.of(0x5a4a35));
+            canvas.stroke(0.25 * x, 0, x, canvas.between(0.3, 0.6), 0.014, 0.006, PaintColour.of(0x5a4a35));
         }
         double[][] balls = {
             {-0.36, 0.3, 0.22},
@@ -22,7 +23,8 @@ final class HerbPainters {
             {0.48, 0.2, 0.14},
             {0.02, 0.66, 0.2}
         };
-        TreePainters.crown(canvas, balls, Tint.of(0x1b3a1f), Tint.of(0x84ab52), new double[] {0.075, 0.018}, 0.85);
+        TreePainters.crown(
+                canvas, balls, PaintColour.of(0x1b3a1f), PaintColour.of(0x84ab52), new double[] {0.075, 0.018}, 0.85);
         for (int i = 0; i < 46; i++) {
             blossom(canvas, canvas.between(-0.5, 0.5), canvas.between(0.3, 0.8));
         }
@@ -31,7 +33,7 @@ final class HerbPainters {
 
     private static void blossom(SpriteCanvas canvas, double x, double y) {
         boolean isOnBush = x * x / 0.27 + (y - 0.35) * (y - 0.35) / 0.2 < 1;
-        Tint petal = Tint.of(0xd9628a).towards(Tint.of(0xf7b9cb), canvas.random());
+        PaintColour petal = PaintColour.of(0xd9628a).mix(PaintColour.of(0xf7b9cb), canvas.random());
         for (int i = 0; i < 5 && isOnBush; i++) {
             double angle = 2 * Math.PI * i / 5 + x * 40;
             canvas.leaf(
@@ -43,26 +45,26 @@ final class HerbPainters {
                     petal.times(0.9 + 0.05 * i));
         }
         if (isOnBush) {
-            canvas.leaf(x, y, 0.011, 0.011, 0, Tint.of(0xf4d58a));
+            canvas.leaf(x, y, 0.011, 0.011, 0, PaintColour.of(0xf4d58a));
         }
     }
 
     static BufferedImage grass() {
         SpriteCanvas canvas = new SpriteCanvas(256, 256, 127);
-        Tint deep = Tint.of(0x33521f);
-        Tint dry = Tint.of(0xc4b76a);
+        PaintColour deep = PaintColour.of(0x33521f);
+        PaintColour dry = PaintColour.of(0xc4b76a);
         for (int i = 0; i < 150; i++) {
-            double share = i / 150.0;
+            double fraction = i / 150.0;
             double root = canvas.between(-0.16, 0.16);
             double lean = canvas.between(-0.55, 0.55) + root;
-            double tall = canvas.between(0.45, 0.97) * (1.05 - 0.45 * Math.abs(lean)) * (1 - 0.35 * share);
-            Tint tint = deep.towards(dry, 0.15 + 0.5 * share * canvas.random() + 0.2 * canvas.random());
+            double tall = canvas.between(0.45, 0.97) * (1.05 - 0.45 * Math.abs(lean)) * (1 - 0.35 * fraction);
+            PaintColour tint = deep.mix(dry, 0.15 + 0.5 * fraction * canvas.random() + 0.2 * canvas.random());
             blade(canvas, root, lean, tall, tint);
         }
         return canvas.picture();
     }
 
-    private static void blade(SpriteCanvas canvas, double root, double lean, double tall, Tint tint) {
+    private static void blade(SpriteCanvas canvas, double root, double lean, double tall, PaintColour tint) {
         double x = root;
         double y = 0;
         int pieces = 9;
@@ -79,7 +81,7 @@ final class HerbPainters {
 
     static BufferedImage lavender() {
         SpriteCanvas canvas = new SpriteCanvas(256, 256, 131);
-        Tint stem = Tint.of(0x6f8a5a);
+        PaintColour stem = PaintColour.of(0x6f8a5a);
         for (int i = 0; i < 60; i++) {
             blade(canvas, canvas.between(-0.1, 0.1), canvas.between(-0.7, 0.7), canvas.between(0.25, 0.45), stem);
         }
@@ -88,7 +90,7 @@ final class HerbPainters {
             double tip = root + canvas.between(-0.34, 0.34);
             double tall = canvas.between(0.6, 0.92) - 0.35 * Math.abs(tip);
             canvas.stroke(root, 0.05, tip, tall, 0.008, 0.006, stem.times(0.9));
-            Tint flower = Tint.of(0x5b468f).towards(Tint.of(0xab93d6), canvas.random());
+            PaintColour flower = PaintColour.of(0x5b468f).mix(PaintColour.of(0xab93d6), canvas.random());
             for (int k = 0; k < 16; k++) {
                 double t = k / 16.0;
                 double side = (k % 2 == 0 ? 0.012 : -0.012) * (1 - 0.6 * t);

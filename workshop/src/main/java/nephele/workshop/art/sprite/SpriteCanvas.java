@@ -1,5 +1,6 @@
 package nephele.workshop.art.sprite;
 
+import nephele.workshop.art.paint.PaintColour;
 import java.awt.image.BufferedImage;
 import nephele.workshop.art.paint.TileNoise;
 
@@ -37,7 +38,7 @@ final class SpriteCanvas {
     }
 
     /** Paints an ellipse. @param angle of its length to the right, radians */
-    void leaf(double x, double y, double length, double breadth, double angle, Tint tint) {
+    void leaf(double x, double y, double length, double breadth, double angle, PaintColour tint) {
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
         double reach = Math.max(length, breadth) / 2;
@@ -59,7 +60,7 @@ final class SpriteCanvas {
     }
 
     /** Paints a straight piece of a branch or blade that tapers, rounded by shade. */
-    void stroke(double x0, double y0, double x1, double y1, double breadth0, double breadth1, Tint tint) {
+    void stroke(double x0, double y0, double x1, double y1, double breadth0, double breadth1, PaintColour tint) {
         double dx = x1 - x0;
         double dy = y1 - y0;
         double square = Math.max(1e-12, dx * dx + dy * dy);
@@ -88,7 +89,7 @@ final class SpriteCanvas {
         return (int) Math.floor(height - y * height);
     }
 
-    private void put(int column, int row, double cover, Tint tint, double shade) {
+    private void put(int column, int row, double cover, PaintColour tint, double shade) {
         if (cover <= 0 || column < 0 || row < 0 || column >= width || row >= height) {
             return;
         }

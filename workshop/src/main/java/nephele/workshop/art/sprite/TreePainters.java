@@ -1,19 +1,20 @@
 package nephele.workshop.art.sprite;
 
+import nephele.workshop.art.paint.PaintColour;
 import java.awt.image.BufferedImage;
 
 /** Painters of trees: the cypresses of the terraces, a stone pine and an olive tree. Light is left to the engine. */
 final class TreePainters {
-    private static final Tint BARK = Tint.of(0x7a6250);
-    private static final Tint BARK_DARK = Tint.of(0x4d3c31);
+    private static final PaintColour BARK = PaintColour.of(0x7a6250);
+    private static final PaintColour BARK_DARK = PaintColour.of(0x4d3c31);
 
     private TreePainters() {}
 
     static BufferedImage cypress() {
         SpriteCanvas canvas = new SpriteCanvas(192, 512, 71);
         canvas.stroke(0, 0, 0, 0.16, 0.028, 0.02, BARK);
-        Tint deep = Tint.of(0x16301f);
-        Tint fresh = Tint.of(0x5d8a45);
+        PaintColour deep = PaintColour.of(0x16301f);
+        PaintColour fresh = PaintColour.of(0x5d8a45);
         for (int layer = 0; layer < 5; layer++) {
             for (int i = 0; i < 1500; i++) {
                 double y = canvas.between(0.06, 0.98);
@@ -22,7 +23,7 @@ final class TreePainters {
                 double x = half * across;
                 double light = 0.16 * layer + 0.16 * y + 0.25 * canvas.random() - 0.14 * Math.abs(across);
                 double lean = Math.PI / 2 - 0.55 * across + canvas.between(-0.35, 0.35);
-                canvas.leaf(x, y, canvas.between(0.018, 0.042), 0.008, lean, deep.towards(fresh, light));
+                canvas.leaf(x, y, canvas.between(0.018, 0.042), 0.008, lean, deep.mix(fresh, light));
             }
         }
         return canvas.picture();
@@ -46,7 +47,7 @@ final class TreePainters {
             canvas.stroke(0.004, 0.46, 0.5 * ball[0], 0.58, 0.026, 0.016, BARK_DARK);
             canvas.stroke(0.5 * ball[0], 0.58, ball[0], ball[1], 0.016, 0.006, BARK_DARK);
         }
-        crown(canvas, balls, Tint.of(0x1f3a1c), Tint.of(0x7f9c46), new double[] {0.034, 0.0065}, 0.62);
+        crown(canvas, balls, PaintColour.of(0x1f3a1c), PaintColour.of(0x7f9c46), new double[] {0.034, 0.0065}, 0.62);
         return canvas.picture();
     }
 
@@ -63,7 +64,7 @@ final class TreePainters {
             double from = ball[0] < 0 ? -0.12 : 0.12;
             canvas.stroke(from, 0.42, ball[0], ball[1], 0.02, 0.006, BARK_DARK);
         }
-        crown(canvas, balls, Tint.of(0x36452c), Tint.of(0xabb583), new double[] {0.03, 0.009}, 0.5);
+        crown(canvas, balls, PaintColour.of(0x36452c), PaintColour.of(0xabb583), new double[] {0.03, 0.009}, 0.5);
         return canvas.picture();
     }
 
@@ -93,7 +94,7 @@ final class TreePainters {
      * @param leaf length and breadth
      * @param flat height of the balls by their breadth
      */
-    static void crown(SpriteCanvas canvas, double[][] balls, Tint deep, Tint fresh, double[] leaf, double flat) {
+    static void crown(SpriteCanvas canvas, double[][] balls, PaintColour deep, PaintColour fresh, double[] leaf, double flat) {
         for (int layer = 0; layer < 6; layer++) {
             for (double[] ball : balls) {
                 int count = (int) (52_000 * ball[2] * ball[2] * flat);
@@ -105,7 +106,7 @@ final class TreePainters {
                     double above = 0.5 + 0.5 * out * StrictMath.sin(angle);
                     double light = 0.11 * layer + 0.3 * above + 0.3 * canvas.random() - 0.12;
                     double turn = angle + canvas.between(-0.9, 0.9);
-                    canvas.leaf(x, y, leaf[0] * canvas.between(0.6, 1.1), leaf[1], turn, deep.towards(fresh, light));
+                    canvas.leaf(x, y, leaf[0] * canvas.between(0.6, 1.1), leaf[1], turn, deep.mix(fresh, light));
                 }
             }
         }

@@ -88,15 +88,15 @@ final class BoxPileRun {
         wrong(of + "energy_gain", gained, "gains energy");
         figures.add(Figure.greatest(of + "max_speed", maxSpeed, "m/s in " + pile.name()));
         figures.add(Figure.greatest(of + "max_spin", maxSpin, "rad/s in " + pile.name()));
-        share(of + "fast_any", maxSpeed > FAST_METRES_PER_SECOND);
+        fraction(of + "fast_any", maxSpeed > FAST_METRES_PER_SECOND);
         wrong(of + "sunk", isAnyUnder(bodies, 1), "sinks");
-        share(of + "sunk_checks", sunkAtChecks);
+        fraction(of + "sunk_checks", sunkAtChecks);
         wrong(of + "through", isAnyUnder(bodies, -1), "goes through the floor");
         wrong(of + "escaped", escaped, "escapes");
-        share(of + "at_rest", isAtRest(bodies));
+        fraction(of + "at_rest", isAtRest(bodies));
         figures.add(Figure.sum(of + "cpu", nanos * 1e-9, "s"));
         if (family != BoxPile.Family.DROP) {
-            share(of + "stands", stands(bodies));
+            fraction(of + "stands", stands(bodies));
         }
         if (faulty) {
             failures.add(pile.name() + " has a fault");
@@ -105,13 +105,13 @@ final class BoxPileRun {
     }
 
     private void wrong(String name, boolean is, String what) {
-        share(name, is);
+        fraction(name, is);
         if (is) {
             failures.add(pile.name() + " " + what);
         }
     }
 
-    private void share(String name, boolean is) {
+    private void fraction(String name, boolean is) {
         figures.add(Figure.sum(name, is ? 1 : 0, ""));
     }
 

@@ -18,9 +18,9 @@ final class AreaComparison {
     }
 
     /** The difference of the mean radiance of a channel. */
-    record Bias(double share, double sigmas) {}
+    record Bias(double fraction, double sigmas) {}
 
-    /** Returns the difference of the means, as a share of the reference's and in units of their joint standard error. */
+    /** Returns the difference of the means, as a fraction of the reference's and in units of their joint standard error. */
     Bias bias(int channel) {
         double sum = 0;
         double expected = 0;

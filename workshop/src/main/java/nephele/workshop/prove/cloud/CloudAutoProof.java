@@ -13,12 +13,21 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.gl.GlContext;
-import nephele.lab.technique.CloudCost;
+import nephele.engine.scene.View;
+import nephele.engine.sim.reach.EyeReach;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.host.named.Viewpoints;
 import nephele.lab.technique.DrawnSky;
-import nephele.lab.technique.SeenSky;
+import nephele.lab.technique.SkyView;
+import nephele.lab.technique.TableCase;
 import nephele.lab.technique.TableMaker;
 import nephele.lab.technique.TracedSkies;
 import nephele.lab.technique.TracedSky;
@@ -29,6 +38,25 @@ import nephele.workshop.prove.proof.ProofResult;
 
 /** Compares what technique auto chooses with each technique for all clouds, against traced pictures. */
 public final class CloudAutoProof implements Proof {
+    static final List<String> SKIES = List.of(
+            "weather-few",
+            "weather-scattered",
+            "weather-broken",
+            "weather-overcast",
+            "weather-cirrus",
+            "weather-storm",
+            "clouds-cumulus",
+            "clouds-stratus",
+            "clouds-image-grey",
+            "clouds-puffs",
+            "clouds-grid",
+            "clouds-ellipsoid");
+    static final int PLACES = 3;
+    private static final double[] SUNS = {12, 30, 60};
+    private static final double SUN_AZIMUTH_DEGREES = 110;
+    /** Half the width of where the eye can be. */
+    private static final double STRIDE_METRES = 6;
+
     private static final Cloud.Tolerance TOLERANCE = new Cloud.Tolerance(1, 20);
     private static final int SAMPLES = 128;
     private static final int MOST_OUTSIDE = 3;
@@ -62,7 +90,7 @@ public final class CloudAutoProof implements Proof {
                         + " most 3 cases, by at most 1.5 times, where another technique is inside; it costs at most a"
                         + " tenth more than the cheapest technique that is inside.",
                 "cases",
-                AutoCases.count(),
+                cases(),
                 9);
     }
 
@@ -71,15 +99,15 @@ public final class CloudAutoProof implements Proof {
         ProofResult result = ProofResult.NOTHING;
         try (GlContext gl = GlContext.offscreen()) {
             for (long unit = from; unit < from + count; unit++) {
-                result = result.and(compared(gl, AutoCases.of((int) unit, TOLERANCE)));
+                result = result.and(compared(gl, caseOf((int) unit, TOLERANCE)));
                 progress.unitsDone(unit + 1 - from);
             }
         }
         return result;
     }
 
-    private ProofResult compared(GlContext gl, AutoCases.Case one) {
-        SeenSky sky = one.sky();
+    private ProofResult compared(GlContext gl, Case one) {
+        SkyView sky = one.sky();
         TracedSky exact = traced.of(sky, samples);
         Environment environment = sky.level().environment();
         var columns = CloudColumns.of(environment, sky.assets());
@@ -105,9 +133,9 @@ public final class CloudAutoProof implements Proof {
         }
     }
 
-    private Measured measured(GlContext gl, AutoCases.Case one, TracedSky exact, PlacedLevel placed, double pixels) {
+    private Measured measured(GlContext gl, Case one, TracedSky exact, PlacedLevel placed, double pixels) {
         double percent = exact.size() == 0 ? 0 : exact.errorPercent(DrawnSky.picture(gl, one.sky(), placed));
-        double cost = isTimed ? CloudCost.of(gl, one.sky(), placed, new Stopwatch()) : 1;
+        double cost = isTimed ? DrawnSky.cloudCost(gl, one.sky(), placed, new Stopwatch()) : 1;
         return new Measured(percent, pixels, cost);
     }
 
@@ -128,7 +156,7 @@ public final class CloudAutoProof implements Proof {
         return all;
     }
 
-    private static PlacedLevel drawn(SeenSky sky, ChosenTechniques chosen) {
+    private static PlacedLevel drawn(SkyView sky, ChosenTechniques chosen) {
         List<Cloud> clouds = new ArrayList<>();
         for (int i = 0; i < chosen.clouds().size(); i++) {
             clouds.add(chosen.clouds().get(i).with(chosen.techniques().get(i)));
@@ -192,5 +220,65 @@ public final class CloudAutoProof implements Proof {
 
     private static String text(String format, Object... values) {
         return String.format(Locale.ROOT, format, values);
+    }
+
+    /** Twelve sample skies in the light of three suns, each from three places: none of them is in the table of errors. The sky is the table's. */
+    private static int cases() {
+        return SKIES.size() * SUNS.length * PLACES;
+    }
+
+    /**
+     * One case.
+     *
+     * @param sky all of its clouds with technique auto
+     * @param tolerance allowed for each of them
+     */
+    record Case(String name, SkyView sky, EyeReach reach) {}
+
+    private static Case caseOf(int unit, Cloud.Tolerance tolerance) {
+        String name = SKIES.get(unit / (SUNS.length * PLACES));
+        double sun = SUNS[unit / PLACES % SUNS.length];
+        int place = unit % PLACES;
+        OpenedLevel opened = new LevelName("levels/samples/" + name + ".json").open();
+        Environment environment = lit(opened.placed().level().environment(), sun);
+        List<Cloud> clouds = new ArrayList<>();
+        WeatherClouds.all(environment).forEach(cloud -> clouds.add(cloud.with(tolerance)));
+        Environment written =
+                environment.with((nephele.engine.level.Weather) null, 0).withClouds(clouds);
+        View view = autoView(clouds.get(0), place);
+        Vec3 eye = view.eye();
+        var around = Aabb.around(eye, new Vec3(2 * STRIDE_METRES, 2, 2 * STRIDE_METRES));
+        return new Case(
+                name + ", sun at " + (int) sun + " degrees, place " + (place + 1),
+                SkyView.alone(name, written, opened.assets(), view),
+                new EyeReach(List.of(new EyeReach.Part(around, EyeReach.Means.WALKING))));
+    }
+
+    private static Environment lit(Environment environment, double sunDegrees) {
+        double up = Math.toRadians(sunDegrees);
+        double aside = Math.toRadians(SUN_AZIMUTH_DEGREES);
+        var towards = new Vec3(Math.cos(up) * Math.sin(aside), Math.sin(up), -Math.cos(up) * Math.cos(aside));
+        return environment.with(TableCase.SKY).with(new Sun(towards, TableCase.SUN_IRRADIANCE, true));
+    }
+
+    /** Returns the view of a layer from below, farther away and from a hill, of a finite cloud from three distances. */
+    private static View autoView(Cloud first, int place) {
+        double aspect = (double) SkyView.WIDTH / SkyView.HEIGHT;
+        if (first.extent() instanceof Cloud.Extent.Volume volume) {
+            Vec3 middle = volume.centre();
+            double away = new double[] {1, 0.6, 2.2}[place];
+            double aside = new double[] {0, 0.5, -0.4}[place];
+            double far = Math.hypot(middle.x(), middle.z());
+            var eye = new Vec3(middle.x() + aside * far, 2, middle.z() + away * far);
+            double radius = volume.size().length() / 2;
+            double fov = Math.toDegrees(
+                    2 * Math.atan(1.2 * radius / middle.minus(eye).length()));
+            return Viewpoints.between(eye, middle, fov, aspect);
+        }
+        Vec3 eye = List.of(new Vec3(0, 2, 0), new Vec3(5200, 2, -3100), new Vec3(-2400, 120, 900))
+                .get(place);
+        Vec3 ahead = List.of(new Vec3(0, 0.5, -1), new Vec3(0.6, 1.2, 0.8), new Vec3(-1, 0.3, 0.2))
+                .get(place);
+        return Viewpoints.between(eye, eye.plus(ahead.scaled(1000)), 75.0, aspect);
     }
 }

@@ -79,7 +79,7 @@ final class CloudFlight implements AutoCloseable {
     }
 
     /** Draws a frame that uses no others. */
-    LinearPicture truth(int frame) {
+    LinearPicture reference(int frame) {
         return drawn(converged, frame);
     }
 

@@ -71,7 +71,7 @@ public final class CloudFlightProof implements Proof {
     private ProofResult flown(String preset, CloudFlight flight) {
         var tally = new FlightTally(preset);
         for (int frame = 0; frame < frames; frame++) {
-            tally.add(flight.truth(frame), flight.seen(frame));
+            tally.add(flight.reference(frame), flight.seen(frame));
         }
         List<Figure> figures = new ArrayList<>();
         figures.add(Figure.greatest(preset + ", greatest step beyond that of all rays", tally.beyond(), "FLIP"));
@@ -104,7 +104,7 @@ public final class CloudFlightProof implements Proof {
         for (int n = 0; n <= AFTER_CUT.get(AFTER_CUT.size() - 1); n++) {
             LinearPicture seen = flight.seen(frames / 2 + n);
             if (AFTER_CUT.contains(n)) {
-                double ghost = CloudFlight.flip(flight.truth(frames / 2 + n), seen);
+                double ghost = CloudFlight.flip(flight.reference(frames / 2 + n), seen);
                 figures.add(Figure.greatest(preset + ", ghost " + n + " frames after a cut", ghost, "FLIP"));
             }
         }

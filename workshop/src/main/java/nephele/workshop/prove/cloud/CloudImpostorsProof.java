@@ -73,20 +73,20 @@ public final class CloudImpostorsProof implements Proof {
     private ProofResult flown(String name, CloudFlight flight, PixelTolerance tolerance) {
         var tally = new FlightTally(name);
         for (int frame = 0; frame < frames; frame++) {
-            LinearPicture truth = flight.truth(frame);
+            LinearPicture reference = flight.reference(frame);
             LinearPicture seen = flight.seen(frame);
-            tolerance.add(flight.view(frame), truth, seen);
-            tally.add(truth, seen);
+            tolerance.add(flight.view(frame), reference, seen);
+            tally.add(reference, seen);
         }
         List<String> failures = new ArrayList<>(tally.failures());
-        if (!(tolerance.share() >= LEAST_SHARE)) {
-            failures.add(String.format(Locale.ROOT, "%s: %.4f of pixels inside", name, tolerance.share()));
+        if (!(tolerance.fraction() >= LEAST_SHARE)) {
+            failures.add(String.format(Locale.ROOT, "%s: %.4f of pixels inside", name, tolerance.fraction()));
         }
         return ProofResult.of(
                 1,
                 failures.isEmpty() ? List.of() : List.of(failures.size() + " failures; " + failures.get(0)),
                 List.of(
-                        Figure.least(name + ", share of pixels inside", tolerance.share(), ""),
+                        Figure.least(name + ", share of pixels inside", tolerance.fraction(), ""),
                         Figure.greatest(name + ", mean difference", tally.mean(), "FLIP"),
                         Figure.greatest(name + ", greatest step beyond", tally.beyond(), "FLIP")));
     }

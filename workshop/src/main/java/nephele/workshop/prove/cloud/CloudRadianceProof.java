@@ -3,15 +3,14 @@ package nephele.workshop.prove.cloud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.engine.cloud.light.BallLight;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.octave.ProceduralNoise;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.lab.technique.DrawnSky;
-import nephele.lab.technique.SeenSky;
+import nephele.lab.technique.SkyView;
 import nephele.lab.technique.TableCase;
-import nephele.lab.technique.TableCases;
 import nephele.lab.technique.TracedSkies;
 import nephele.lab.technique.TracedSky;
 import nephele.workshop.prove.proof.Claim;
@@ -79,7 +78,7 @@ public final class CloudRadianceProof implements Proof {
     }
 
     private ProofResult compared(GlContext gl, Drawn drawn) {
-        SeenSky sky = drawn.at().sky();
+        SkyView sky = drawn.at().sky();
         TracedSky exact = traced.of(sky, samples);
         double bias = exact.biasPercent(DrawnSky.picture(gl, sky, sky.drawnBy(drawn.technique()), drawn.quality()));
         List<String> failures = new ArrayList<>();
@@ -92,11 +91,11 @@ public final class CloudRadianceProof implements Proof {
     private static List<Drawn> all() {
         List<Drawn> all = new ArrayList<>();
         Quality best = Quality.ULTRA;
-        for (TableCase at : TableCases.at(ANGULAR_DEGREES, SUN_DEGREES, DEPTHS)) {
+        for (TableCase at : TableCase.at(ANGULAR_DEGREES, SUN_DEGREES, DEPTHS)) {
             all.add(new Drawn(at, CloudTechnique.VOLUME, "", best, 5));
             if (at.form().equals(BALLS)) {
                 all.add(new Drawn(at, CloudTechnique.PARTICLES, "", best, 10));
-                for (BallLight light : List.of(BallLight.HARRIS, BallLight.DOBASHI)) {
+                for (PuffLight light : List.of(PuffLight.HARRIS, PuffLight.DOBASHI)) {
                     all.add(new Drawn(
                             at,
                             CloudTechnique.PARTICLES,
@@ -109,7 +108,7 @@ public final class CloudRadianceProof implements Proof {
                 all.add(new Drawn(at, CloudTechnique.BILLBOARD, ", facing of the source", source, NONE));
             }
         }
-        for (TableCase at : TableCases.at(ANGULAR_DEGREES, SUN_DEGREES, SHEET_DEPTHS)) {
+        for (TableCase at : TableCase.at(ANGULAR_DEGREES, SUN_DEGREES, SHEET_DEPTHS)) {
             if (at.isLayer()) {
                 all.add(new Drawn(at, CloudTechnique.SKYPLANE, "", best, 10));
                 all.add(new Drawn(at, CloudTechnique.PROCEDURAL, "", best, NONE));

@@ -33,7 +33,7 @@ public final class CloudReferenceProof implements Proof {
         ProofResult result = ProofResult.NOTHING;
         for (long unit = from; unit < from + count; unit++) {
             ReferenceCase scene = ReferenceCase.named(CASES.get((int) unit));
-            TracedArea whole = TracedArea.whole(scene, SAMPLES, unit, share -> {});
+            TracedArea whole = TracedArea.whole(scene, SAMPLES, unit, fraction -> {});
             result = result.and(judged(scene.name(), new AreaComparison(whole)));
             progress.unitsDone(unit + 1 - from);
         }
@@ -46,7 +46,7 @@ public final class CloudReferenceProof implements Proof {
         double sigmas = 0;
         for (int channel = 0; channel < 3; channel++) {
             var off = comparison.bias(channel);
-            bias = Math.max(bias, Math.abs(off.share()));
+            bias = Math.max(bias, Math.abs(off.fraction()));
             sigmas = Math.max(sigmas, Math.abs(off.sigmas()));
         }
         double agreeing = 1 - comparison.differing() / (double) comparison.cloudy();

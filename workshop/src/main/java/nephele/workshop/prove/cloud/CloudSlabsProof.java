@@ -86,13 +86,13 @@ public final class CloudSlabsProof implements Proof {
     }
 
     /** Returns the paths after which the standard error of a share is within its limit, with a tenth to spare. */
-    private static long paths(double share) {
-        double most = mostError(share);
-        return (long) Math.max(10_000, 1.1 * share * (1 - share) / (most * most));
+    private static long paths(double fraction) {
+        double most = mostError(fraction);
+        return (long) Math.max(10_000, 1.1 * fraction * (1 - fraction) / (most * most));
     }
 
-    private static double mostError(double share) {
-        return Math.max(1e-5, Math.min(0.002, 0.02 * share));
+    private static double mostError(double fraction) {
+        return Math.max(1e-5, Math.min(0.002, 0.02 * fraction));
     }
 
     /** The comparisons of one row. */
@@ -106,13 +106,13 @@ public final class CloudSlabsProof implements Proof {
             this.row = row;
         }
 
-        void add(String name, double mean, double error, double truth) {
-            double sigmas = (mean - truth) / Math.max(error, 1e-5);
+        void add(String name, double mean, double error, double reference) {
+            double sigmas = (mean - reference) / Math.max(error, 1e-5);
             squares += sigmas * sigmas;
             greatest = Math.max(greatest, Math.abs(sigmas));
-            if (!(Math.abs(sigmas) <= MOST_SIGMAS) || error > mostError(truth)) {
-                failures.add(
-                        String.format(Locale.ROOT, "%s: %s %.6f, not %.6f, error %.1e", row, name, mean, truth, error));
+            if (!(Math.abs(sigmas) <= MOST_SIGMAS) || error > mostError(reference)) {
+                failures.add(String.format(
+                        Locale.ROOT, "%s: %s %.6f, not %.6f, error %.1e", row, name, mean, reference, error));
             }
         }
 

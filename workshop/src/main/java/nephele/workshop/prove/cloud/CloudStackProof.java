@@ -1,14 +1,12 @@
 package nephele.workshop.prove.cloud;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Locale;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Camera;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -20,7 +18,9 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
+import nephele.lab.bake.TracedPictures;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -61,7 +61,7 @@ public final class CloudStackProof implements Proof {
                 View view = View.ofCamera(camera, 0, (double) WIDTH / HEIGHT);
                 var settings = new TraceSettings(
                         WIDTH, HEIGHT, SAMPLES, 1, Runtime.getRuntime().availableProcessors());
-                float[] exact = ReferencePicture.trace(traced, PinholeViews.of(view), settings, share -> {});
+                float[] exact = ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, fraction -> {});
                 double error = HdrFlip.of(new LinearPicture(WIDTH, HEIGHT, exact), drawn(gl, opened, view))
                         .mean();
                 result = result.and(judged(camera.id(), error));

@@ -18,7 +18,7 @@ public final class CloudVolumeProof implements Proof {
             .toList();
 
     private static final double MOST_BIAS = 0.05;
-    /** Standard error of a kept picture of our own, as a share of the error that is measured with it. */
+    /** Standard error of a kept picture of our own, as a fraction of the error that is measured with it. */
     private static final double MOST_NOISE = 0.25;
 
     private static final double MOST_OF_OCTAVES = 1.0 / 3;
@@ -114,7 +114,7 @@ public final class CloudVolumeProof implements Proof {
         if (!ReferenceCase.OWN.contains(exact.name())) {
             return ProofResult.NOTHING;
         }
-        var again = new AreaComparison(TracedArea.whole(exact, SAMPLES, 7, share -> {}));
+        var again = new AreaComparison(TracedArea.whole(exact, SAMPLES, 7, fraction -> {}));
         double sigmas = Math.abs(again.bias(0).sigmas());
         List<String> failures = sigmas <= MOST_SIGMAS
                 ? List.of()

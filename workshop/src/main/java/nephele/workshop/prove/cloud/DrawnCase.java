@@ -1,7 +1,7 @@
 package nephele.workshop.prove.cloud;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.cloud.OpticalDepth;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.LoadedClouds;
@@ -47,7 +47,7 @@ final class DrawnCase {
     /**
      * How far a drawn picture is from the exact one, over the pixels that count.
      *
-     * @param bias of the mean radiance, as a share of it
+     * @param bias of the mean radiance, as a fraction of it
      * @param rootMeanSquare of the differences, divided by the mean
      */
     record Off(double bias, double rootMeanSquare) {}

@@ -34,12 +34,12 @@ final class PixelTolerance {
         }
     }
 
-    void add(View view, LinearPicture truth, LinearPicture seen) {
-        for (int y = 1; y < truth.height() - 1; y += STEP) {
-            for (int x = 1; x < truth.width() - 1; x += STEP) {
-                if (depth(view, truth, x, y) > LEAST_DEPTH) {
+    void add(View view, LinearPicture reference, LinearPicture seen) {
+        for (int y = 1; y < reference.height() - 1; y += STEP) {
+            for (int x = 1; x < reference.width() - 1; x += STEP) {
+                if (depth(view, reference, x, y) > LEAST_DEPTH) {
                     pixels++;
-                    inside += isInside(truth, seen, x, y) ? 1 : 0;
+                    inside += isInside(reference, seen, x, y) ? 1 : 0;
                 }
             }
         }
@@ -57,13 +57,13 @@ final class PixelTolerance {
         return depth;
     }
 
-    private static boolean isInside(LinearPicture truth, LinearPicture seen, int x, int y) {
+    private static boolean isInside(LinearPicture reference, LinearPicture seen, int x, int y) {
         for (int channel = 0; channel < 3; channel++) {
             double least = Double.POSITIVE_INFINITY;
             double most = Double.NEGATIVE_INFINITY;
             for (int j = -1; j <= 1; j++) {
                 for (int i = -1; i <= 1; i++) {
-                    double value = display(truth, x + i, y + j, channel);
+                    double value = display(reference, x + i, y + j, channel);
                     least = Math.min(least, value);
                     most = Math.max(most, value);
                 }
@@ -85,7 +85,7 @@ final class PixelTolerance {
         return pixels;
     }
 
-    double share() {
+    double fraction() {
         return (double) inside / pixels;
     }
 }

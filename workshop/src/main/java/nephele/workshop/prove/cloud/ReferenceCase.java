@@ -22,7 +22,7 @@ import nephele.host.named.Viewpoints;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 
 /**
  * A level of one cloud with its exact picture: three by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path
@@ -64,7 +64,7 @@ record ReferenceCase(
     }
 
     Pinhole eye() {
-        return PinholeViews.of(view);
+        return TracedPictures.pinhole(view);
     }
 
     private static byte[] converted(String name, byte[] scene) {

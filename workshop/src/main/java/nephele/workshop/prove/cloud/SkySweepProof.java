@@ -12,8 +12,8 @@ import nephele.engine.level.Exposure;
 import nephele.engine.level.Sky.Atmosphere;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.ToneMapping;
@@ -146,8 +146,8 @@ public final class SkySweepProof implements Proof {
 
     /** Directions are densest at the horizon, which none of them meets. */
     private static Vec3 direction(int index) {
-        double share = 2 * (index / AZIMUTHS + 0.5) / RINGS - 1;
-        double elevation = Math.signum(share) * share * share * Math.PI / 2;
+        double fraction = 2 * (index / AZIMUTHS + 0.5) / RINGS - 1;
+        double elevation = Math.signum(fraction) * fraction * fraction * Math.PI / 2;
         double azimuth = 2 * Math.PI * (index % AZIMUTHS + 0.37) / AZIMUTHS;
         double level = Math.cos(elevation);
         return new Vec3(level * Math.sin(azimuth), Math.sin(elevation), -level * Math.cos(azimuth));
@@ -206,8 +206,8 @@ public final class SkySweepProof implements Proof {
         while (i < DEGREES.length - 2 && degrees > DEGREES[i + 1]) {
             i++;
         }
-        double share = Math.max(0, (degrees - DEGREES[i]) / (DEGREES[i + 1] - DEGREES[i]));
-        return Math.pow(2, AUTO_STOPS[i] + share * (AUTO_STOPS[i + 1] - AUTO_STOPS[i]));
+        double fraction = Math.max(0, (degrees - DEGREES[i]) / (DEGREES[i + 1] - DEGREES[i]));
+        return Math.pow(2, AUTO_STOPS[i] + fraction * (AUTO_STOPS[i + 1] - AUTO_STOPS[i]));
     }
 
     /** Returns the greatest change at any exposure: the longer one is, the greater, until the brighter value is white. */

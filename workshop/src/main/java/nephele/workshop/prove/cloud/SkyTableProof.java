@@ -75,8 +75,8 @@ public final class SkyTableProof implements Proof {
     /** Returns a height, half of them below 10 km, and an elevation of the sun, half of them below 10 degrees. */
     private static double[] random(long unit) {
         SplittableRandom random = new SplittableRandom(Hash64.combine(29, unit));
-        double share = random.nextDouble();
-        double metres = HIGHEST_METRES * share * share * share;
+        double fraction = random.nextDouble();
+        double metres = HIGHEST_METRES * fraction * fraction * fraction;
         double degrees = random.nextBoolean() ? random.nextDouble(-10, 10) : random.nextDouble(10, 90);
         return new double[] {metres, degrees};
     }

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The fluxes of a homogeneous slab with Henyey-Greenstein phase function, as shares of the incident flux. Computed by
+ * The fluxes of a homogeneous slab with Henyey-Greenstein phase function, as fractions of the incident flux. Computed by
  * adding-doubling and rounded to 1e-6.
  *
  * @param depth optical depth along the normal

@@ -83,21 +83,21 @@ public final class EditorEventsProof implements Proof {
         /** Returns the first failure. */
         Optional<String> run(int length) throws Exception {
             DocumentFile.Opened base = DocumentFile.open(levels.base().toString());
-            Optional<String> failure = thread.run(() -> open(base)).map(why -> told(0, "opening", why));
+            Optional<String> failure = thread.run(() -> open(base)).map(why -> reported(0, "opening", why));
             for (int event = 1; event <= length && failure.isEmpty(); event++) {
                 int now = event;
-                failure = thread.run(() -> event(now)).map(why -> told(now, events.last(), why));
+                failure = thread.run(() -> event(now)).map(why -> reported(now, events.last(), why));
             }
             isBlocked = failure.isPresent() && failure.get().contains("no answer");
             if (editor != null && !isBlocked) {
                 Optional<String> end = thread.run(failure.isEmpty() ? this::end : editor::close)
-                        .map(why -> told(length, "end", why));
+                        .map(why -> reported(length, "end", why));
                 failure = failure.or(() -> end);
             }
             return failure;
         }
 
-        private String told(int event, String what, String why) {
+        private String reported(int event, String what, String why) {
             return "session " + number + ", event " + event + " (" + what + "): " + why;
         }
 

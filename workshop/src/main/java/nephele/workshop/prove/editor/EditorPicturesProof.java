@@ -83,9 +83,7 @@ public final class EditorPicturesProof implements Proof {
             List<String> failures = new ArrayList<>();
             events.run(() -> editor = new PicturedEditor(look)).ifPresent(failures::add);
             if (failures.isEmpty()) {
-                List<EditorScene> scenes = Stream.of(WindowScenes.all(), DialogScenes.all(), FileScenes.all())
-                        .flatMap(List::stream)
-                        .toList();
+                List<EditorScene> scenes = EditorScenes.all();
                 for (EditorScene scene : scenes) {
                     List<String> cut = new ArrayList<>();
                     Optional<String> thrown = events.run(() -> cut.addAll(shown(scene)));

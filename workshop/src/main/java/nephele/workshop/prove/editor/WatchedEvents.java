@@ -47,17 +47,17 @@ final class WatchedEvents implements AutoCloseable {
         } catch (ExecutionException failed) {
             thrown.add(failed.getCause());
         } catch (TimeoutException late) {
-            return Optional.of("no answer in " + LONGEST_SECONDS + " s: " + told(dispatcher.getStackTrace()));
+            return Optional.of("no answer in " + LONGEST_SECONDS + " s: " + reported(dispatcher.getStackTrace()));
         }
         if (thrown.isEmpty()) {
             return Optional.empty();
         }
         Throwable first = thrown.get(0);
         thrown.clear();
-        return Optional.of(first + " " + told(first.getStackTrace()));
+        return Optional.of(first + " " + reported(first.getStackTrace()));
     }
 
-    private static String told(StackTraceElement[] stack) {
+    private static String reported(StackTraceElement[] stack) {
         List<String> frames = new ArrayList<>();
         for (int i = 0; i < Math.min(FRAMES_TOLD, stack.length); i++) {
             frames.add(stack[i].toString());

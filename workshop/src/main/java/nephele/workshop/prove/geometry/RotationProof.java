@@ -75,11 +75,11 @@ public final class RotationProof implements Proof {
     private static double interpolate(long unit, SplittableRandom random, List<String> failures) {
         Quaterniond a = rotation(random, random.nextDouble(-7, 7));
         Quaterniond b = partner(random, a, (int) (unit % 6));
-        double share = unit % 9 == 0 ? random.nextDouble(-5, 5) : random.nextDouble();
-        Quaterniond q = Rotations.slerp(a, b, share);
+        double fraction = unit % 9 == 0 ? random.nextDouble(-5, 5) : random.nextDouble();
+        Quaterniond q = Rotations.slerp(a, b, fraction);
         double off = Math.abs(Math.sqrt(q.lengthSquared()) - 1);
         double whole = angle(a, b);
-        double wanted = Math.max(0, Math.min(1, share)) * whole;
+        double wanted = Math.max(0, Math.min(1, fraction)) * whole;
         if (!(off <= 1e-6) || !(Math.abs(angle(a, q) - wanted) <= 1e-6 * (1 + whole))) {
             failures.add("turn " + unit + ": " + q + " between " + a + " and " + b);
         }

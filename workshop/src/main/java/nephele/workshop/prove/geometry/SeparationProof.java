@@ -66,20 +66,20 @@ public final class SeparationProof implements Proof {
             double extent = pair.extentMetres();
             separation.measure(pair.hull(), pair.at().x, pair.at().y, pair.at().z, new Collider("", pair.solid()));
             double measured = separation.metres() + pair.radiusMetres();
-            double truth = pair.distance(new Vector3d());
-            if (truth > 0) {
-                close += truth < BAND * extent ? 1 : 0;
-                nearer = Math.max(nearer, (truth - measured) / extent);
+            double reference = pair.distance(new Vector3d());
+            if (reference > 0) {
+                close += reference < BAND * extent ? 1 : 0;
+                nearer = Math.max(nearer, (reference - measured) / extent);
             } else {
                 intersection++;
             }
-            farther = Math.max(farther, (measured - truth) / extent);
-            boolean agrees = truth > 0
-                    ? Math.abs(measured - truth) <= BAND * extent
+            farther = Math.max(farther, (measured - reference) / extent);
+            boolean agrees = reference > 0
+                    ? Math.abs(measured - reference) <= BAND * extent
                     : measured <= BAND * extent && parts(pair, measured, extent) && least(unit, pair, measured, extent);
             if (!agrees) {
-                failures.add(
-                        "pair " + unit + ": " + measured + " m, by brute force " + truth + " m, over " + extent + " m");
+                failures.add("pair " + unit + ": " + measured + " m, by brute force " + reference + " m, over " + extent
+                        + " m");
             }
         }
 

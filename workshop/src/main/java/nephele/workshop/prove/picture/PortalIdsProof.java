@@ -35,7 +35,7 @@ public final class PortalIdsProof implements Proof {
 
     /** Uses the levels of the checkout in the working directory. */
     public PortalIdsProof() {
-        this(SeenLevels.all());
+        this(ComparedLevel.files());
     }
 
     /** @param files levels by path */
@@ -73,7 +73,7 @@ public final class PortalIdsProof implements Proof {
 
     private static void compare(ComparedCameras.Visit visit, GlContext gl, RenderTarget picture, IdTally tally) {
         var opened = new LevelName(visit.file()).open();
-        var ids = IdLevel.of(SeenLevels.compared(opened.level()));
+        var ids = IdLevel.of(ComparedLevel.compared(opened.level()));
         try (var level = new ComparedLevel<>(gl, ids, opened.assets(), ColourDecoding.AS_STORED, WAYS)) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);

@@ -20,8 +20,6 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.bake.LevelHash;
-import nephele.lab.bake.PinholeViews;
 import nephele.lab.bake.TracedPictures;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Proof;
@@ -43,7 +41,7 @@ public final class PortalLightProof implements Proof {
 
     /** Uses the levels of the checkout in the working directory. */
     public PortalLightProof() {
-        this(SeenLevels.all(), 320, 64, KEPT);
+        this(ComparedLevel.files(), 320, 64, KEPT);
     }
 
     /**
@@ -109,12 +107,12 @@ public final class PortalLightProof implements Proof {
     private void compare(ComparedCameras.Visit visit, GlContext gl, List<RenderTarget> pictures, LitTally tally) {
         String file = visit.file();
         var opened = new LevelName(file).open();
-        String state = LevelHash.key(opened);
-        var compared = SeenLevels.compared(opened.level());
+        String state = TracedPictures.levelHash(opened);
+        var compared = ComparedLevel.compared(opened.level());
         try (var level = new ComparedLevel<>(gl, compared, opened.assets(), ColourDecoding.SRGB, ways())) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);
-                Pinhole eye = PinholeViews.of(view);
+                Pinhole eye = TracedPictures.pinhole(view);
                 LinearPicture reference = kept.picture(
                         state, eye, trace, () -> ReferencePicture.trace(level.traced(), eye, trace, done -> {}));
                 Map<PortalTechnique, LinearPicture> finer = drawn(level, view, pictures.get(1));

@@ -16,7 +16,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import org.joml.Vector3d;
 
 /**
@@ -59,7 +59,7 @@ final class SeededCameras {
         if (starts.isEmpty()) {
             starts.add(Vec3.ZERO);
         }
-        ways = traced.sight(PinholeViews.of(view(Vec3.ZERO, new Vec3(0, 0, -1), Math.PI / 3)));
+        ways = traced.sight(TracedPictures.pinhole(view(Vec3.ZERO, new Vec3(0, 0, -1), Math.PI / 3)));
     }
 
     View view(int number) {

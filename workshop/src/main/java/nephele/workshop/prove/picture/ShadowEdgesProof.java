@@ -22,7 +22,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 import nephele.workshop.prove.picture.ShadowScene.Shadows;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
@@ -84,7 +84,7 @@ public final class ShadowEdgesProof implements Proof {
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
         var traced = TracedLevel.of(PlacedLevel.of(scene.level(Shadows.CAST), assets), ColourDecoding.SRGB);
         var sights = new SightPicture(traced, view, WIDTH, HEIGHT);
-        VisibleSurface sight = traced.sight(PinholeViews.of(view));
+        VisibleSurface sight = traced.sight(TracedPictures.pinhole(view));
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             int column = i % WIDTH;
             int row = i / WIDTH;

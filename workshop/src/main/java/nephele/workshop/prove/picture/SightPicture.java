@@ -6,7 +6,7 @@ import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.scene.View;
-import nephele.lab.bake.PinholeViews;
+import nephele.lab.bake.TracedPictures;
 
 /**
  * The surfaces that the exact twin sees, in identity colours, bottom row first: one ray in the middle of each pixel,
@@ -27,7 +27,7 @@ final class SightPicture {
         this.level = level;
         this.width = width;
         this.height = height;
-        eye = PinholeViews.of(view);
+        eye = TracedPictures.pinhole(view);
         rgb = new int[width * height];
         passed = new long[width * height];
         IntStream.range(0, height).parallel().forEach(this::row);

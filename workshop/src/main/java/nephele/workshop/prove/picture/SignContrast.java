@@ -12,7 +12,7 @@ final class SignContrast {
     /** A smaller difference of a channel, 0–255, is no sign but its light on something else. */
     private static final int LEAST_CODES = 6;
 
-    /** A sign of fewer pixels, as a share of the square of its reach, is mostly hidden. */
+    /** A sign of fewer pixels, as a fraction of the square of its reach, is mostly hidden. */
     private static final double LEAST_SHARE = 0.1;
 
     private static final double REACHED_SHARE = 0.25;

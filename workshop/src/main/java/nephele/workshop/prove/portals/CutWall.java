@@ -70,11 +70,12 @@ final class CutWall {
         for (int i = 0; i < cuts; i++) {
             double[] t = triangles.remove(random.nextInt(triangles.size()));
             int from = 2 * random.nextInt(3);
-            double share = random.nextInt(4) == 0 ? Math.exp(random.nextDouble(-11, -3)) : random.nextDouble(0.1, 0.9);
+            double fraction =
+                    random.nextInt(4) == 0 ? Math.exp(random.nextDouble(-11, -3)) : random.nextDouble(0.1, 0.9);
             int to = (from + 2) % 6;
             int opposite = (from + 4) % 6;
-            double x = t[from] + share * (t[to] - t[from]);
-            double y = t[from + 1] + share * (t[to + 1] - t[from + 1]);
+            double x = t[from] + fraction * (t[to] - t[from]);
+            double y = t[from + 1] + fraction * (t[to + 1] - t[from + 1]);
             triangles.add(new double[] {t[from], t[from + 1], x, y, t[opposite], t[opposite + 1]});
             triangles.add(new double[] {x, y, t[to], t[to + 1], t[opposite], t[opposite + 1]});
         }

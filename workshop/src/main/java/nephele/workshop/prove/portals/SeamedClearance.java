@@ -67,8 +67,8 @@ final class SeamedClearance {
 
     private double depthAt(Vector3d centre, Vec3 direction, double metres) {
         double deepest = 0;
-        for (double share : new double[] {0.5, 1}) {
-            double length = share * metres;
+        for (double fraction : new double[] {0.5, 1}) {
+            double length = fraction * metres;
             way.set(direction.x() * length, direction.y() * length, direction.z() * length);
             trace.trace(centre, way);
             deepest = Math.max(

@@ -200,9 +200,9 @@ final class WalkInPlace {
         int steps = (int) Math.ceil(length / PATH_STEP_METRES);
         double ground = from.y();
         for (int i = 0; i <= steps; i++) {
-            double share = steps == 0 ? 0 : (double) i / steps;
+            double fraction = steps == 0 ? 0 : (double) i / steps;
             Vec3 at = new Vec3(
-                    from.x() + share * (to.x() - from.x()), ground + 1, from.z() + share * (to.z() - from.z()));
+                    from.x() + fraction * (to.x() - from.x()), ground + 1, from.z() + fraction * (to.z() - from.z()));
             double next = groundY(at, 1 + PATH_RISE_METRES);
             if (!(Math.abs(next - ground) <= PATH_RISE_METRES) || !isFree(new Vec3(at.x(), next, at.z()))) {
                 return Double.NaN;
@@ -229,8 +229,8 @@ final class WalkInPlace {
     }
 
     private double distance(Vec3 from, Vec3 way, double most) {
-        double share = world.free(from.toVector(), way.toVector().mul(most));
-        return share < 1 ? share * most : Double.NaN;
+        double fraction = world.free(from.toVector(), way.toVector().mul(most));
+        return fraction < 1 ? fraction * most : Double.NaN;
     }
 
     /** Returns the upright face on which portals may be that a ray has hit; {@code null} for anything else. */

@@ -44,7 +44,7 @@ final class InputLevels {
      */
     record OddInput(String name, byte[] utf8, Map<LevelNumbers.Place, String> numbers, double seconds) {
         /** Returns what is odd in it, to find it again. */
-        String told() {
+        String reported() {
             return name + " with "
                     + numbers.entrySet().stream()
                             .map(entry -> entry.getKey().path() + " " + entry.getValue())

@@ -1,6 +1,5 @@
 package nephele.workshop.prove.process;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import java.util.regex.Pattern;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.choice.CloudExplanation;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.json.LevelFile;
@@ -24,11 +24,11 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.rule.LevelRules;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.Simulation;
-import nephele.engine.rule.LevelRules;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
@@ -108,11 +108,11 @@ final class InputTrial {
         } catch (Fault fault) {
             return new Ended(outcome, Optional.of(fault.getMessage()));
         } catch (Exception | StackOverflowError | OutOfMemoryError crash) {
-            return new Ended(outcome, Optional.of(told(crash)));
+            return new Ended(outcome, Optional.of(reported(crash)));
         }
     }
 
-    private static String told(Throwable crash) {
+    private static String reported(Throwable crash) {
         StackTraceElement[] trace = crash.getStackTrace();
         return crash + (trace.length == 0 ? "" : " at " + trace[0]);
     }
@@ -124,7 +124,7 @@ final class InputTrial {
             level = LevelJson.read(file.toString(), input.utf8());
         } catch (LevelFormatException refusal) {
             for (Problem problem : refusal.problems()) {
-                told(problem);
+                reported(problem);
                 boolean isThere = input.numbers().keySet().stream()
                         .anyMatch(place -> place.path().startsWith(problem.path()));
                 if (!isThere) {
@@ -143,12 +143,12 @@ final class InputTrial {
             throw new Fault("is refused without a place: " + wrong.getMessage());
         }
         for (Problem problem : problems) {
-            told(problem);
+            reported(problem);
         }
         return problems.stream().anyMatch(Problem::isError) ? null : level;
     }
 
-    private static void told(Problem problem) throws Fault {
+    private static void reported(Problem problem) throws Fault {
         String line = problem.line("level.json");
         if (problem.path().equals("$")
                 || problem.path().isEmpty()

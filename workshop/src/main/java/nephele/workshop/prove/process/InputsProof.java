@@ -66,7 +66,7 @@ public final class InputsProof implements Proof {
             for (int done = 0; done < units.length; done++) {
                 long unit = units[done];
                 InputLevels.OddInput input = levels.of(unit);
-                String name = "level " + unit + ", " + input.told();
+                String name = "level " + unit + ", " + input.reported();
                 double before = cpuSeconds();
                 Thread watch = watch(name, before, progress);
                 Ended ended = trial.run(input, drawn.test(unit) ? gl : null);

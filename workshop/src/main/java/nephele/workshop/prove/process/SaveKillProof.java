@@ -72,9 +72,9 @@ public final class SaveKillProof implements Proof {
         return ProofResult.of(count, failures, figures);
     }
 
-    /** @param told everything that a killed process wrote */
-    static boolean isWithinASave(String told) {
-        return told.endsWith(String.valueOf(SavingChild.BEGUN));
+    /** @param reported everything that a killed process wrote */
+    static boolean isWithinASave(String reported) {
+        return reported.endsWith(String.valueOf(SavedFile.BEGUN));
     }
 
     private static boolean isUnfinished(Path file) throws IOException {
@@ -94,36 +94,36 @@ public final class SaveKillProof implements Proof {
     /** Starts a process that saves exactly as the program does. */
     private KillableProcess start(Path file) throws IOException {
         kind.save(file, 0);
-        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavingChild.class, kind.name(), file.toString());
+        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavedFile.class, kind.name(), file.toString());
     }
 
     /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
     private static String kill(KillableProcess child, SplittableRandom random)
             throws IOException, InterruptedException {
-        var told = new StringBuilder();
+        var reported = new StringBuilder();
         long begun = 0;
         long nanos = 0;
         for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves >= 0; saves--) {
-            awaitNext(child, SavingChild.BEGUN, told);
+            awaitNext(child, SavedFile.BEGUN, reported);
             begun = System.nanoTime();
             if (saves > 0) {
-                awaitNext(child, SavingChild.ENDED, told);
+                awaitNext(child, SavedFile.ENDED, reported);
                 nanos = System.nanoTime() - begun;
             }
         }
         LockSupport.parkNanos((long) (random.nextDouble() * LENGTHS * nanos));
         child.kill();
-        return told.append(new String(child.output().readAllBytes(), StandardCharsets.US_ASCII))
+        return reported.append(new String(child.output().readAllBytes(), StandardCharsets.US_ASCII))
                 .toString();
     }
 
-    private static void awaitNext(KillableProcess child, char expected, StringBuilder told)
+    private static void awaitNext(KillableProcess child, char expected, StringBuilder reported)
             throws IOException, InterruptedException {
         int next = child.output().read();
         if (next != expected) {
             throw new IOException("the saving process ended by itself with code " + child.waitFor());
         }
-        told.append(expected);
+        reported.append(expected);
     }
 
     /** Checks that the file itself, not its backup, is one of the saved generations, complete. */

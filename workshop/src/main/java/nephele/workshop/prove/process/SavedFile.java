@@ -55,6 +55,14 @@ enum SavedFile {
         }
     };
 
+    /** A limit at which a saving process ends by itself, in case its parent has ended without killing it. */
+    private static final int MOST_SAVES = 5_000;
+
+    /** Written when a save begins; {@link #ENDED} when it has ended. */
+    static final char BEGUN = '(';
+
+    static final char ENDED = ')';
+
     private final String proof;
     private final String claim;
 
@@ -100,5 +108,28 @@ enum SavedFile {
                     .append("], \"size\": [1, 1, 1]}");
         }
         return LevelJson.read("generated", json.append("]}").toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Saves one generation after another until the process is killed, and writes when each save begins and ends.
+     *
+     * @param arguments the constant's name and the file
+     */
+    public static void main(String[] arguments) throws IOException {
+        SavedFile kind = SavedFile.valueOf(arguments[0]);
+        Path file = Path.of(arguments[1]);
+        for (int generation = 1; generation <= MOST_SAVES; generation++) {
+            tell(BEGUN);
+            kind.save(file, generation);
+            tell(ENDED);
+            if (System.out.checkError()) {
+                return;
+            }
+        }
+    }
+
+    private static void tell(char what) {
+        System.out.write(what);
+        System.out.flush();
     }
 }

@@ -1,9 +1,8 @@
 package nephele.workshop.prove.process;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Map;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -48,7 +47,7 @@ public final class SoakProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         var level = LevelCatalogue.first();
-        var prepared = Preparation.begin(level, QUALITY, share -> {}).get();
+        var prepared = Preparation.begin(level, QUALITY, fraction -> {}).get();
         var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);

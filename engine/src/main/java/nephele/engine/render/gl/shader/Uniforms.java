@@ -45,6 +45,9 @@ public final class Uniforms {
     @Target(ElementType.RECORD_COMPONENT)
     public @interface IfRead {}
 
+    /** The record of a program that has no uniforms but samplers and blocks. */
+    public record None() {}
+
     private interface Made {
         Object at(int program, int location);
     }
@@ -142,16 +145,19 @@ public final class Uniforms {
     /**
      * Makes a record of uniforms.
      *
-     * @throws GlException that names a uniform which the program lacks or has with another type, or a sampler that has no
-     * texture unit
+     * @throws GlException that names a uniform which the program lacks or has with another type
      */
     public <R extends Record> R record(Class<R> type) {
+        return record(type, false);
+    }
+
+    /** Throws a {@link GlException} that names a sampler which has no texture unit. */
+    public void requireUnits() {
         types.forEach((name, glType) -> {
             if (isSampler(glType) && TextureUnit.of(name) == null) {
                 throw new GlException(programName + " has a sampler '" + name + "', which no texture unit names");
             }
         });
-        return record(type, false);
     }
 
     private <R extends Record> R record(Class<R> type, boolean mayLack) {

@@ -1,11 +1,26 @@
 package nephele.engine.render.pass.cloud;
 
+import java.util.function.BiFunction;
+import java.util.function.Predicate;
 import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.scene.View;
 
 /** The drawing of one cloud by some technique. */
 public interface CloudDrawing {
+    /**
+     * The one constant of a technique.
+     *
+     * @param canDraw false for clouds that it cannot draw
+     * @param build makes the drawing of a cloud
+     */
+    record Technique(
+            CloudTechnique technique,
+            Predicate<CloudSource> canDraw,
+            BiFunction<CloudContext, PlacedCloud, CloudDrawing> build) {}
+
     /** Takes the cloud and the light around it at the time of the frame. */
     void follow(Environment environment, CloudInterval now);
 

@@ -4,9 +4,7 @@ import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -15,7 +13,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.resource.FrameClouds;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.pass.cloud.CloudTechniqueDrawer.Registered;
 import nephele.engine.render.gl.OwnedObjects;
 
 /**
@@ -25,7 +22,7 @@ import nephele.engine.render.gl.OwnedObjects;
 final class CloudEntries {
     private final RendererClouds levelClouds;
     private final boolean hasLightning;
-    private final List<Registered> techniques;
+    private final List<CloudDrawing.Technique> techniques;
     private final List<Entry> all = new ArrayList<>();
     /** Builds what ends with the change; {@code null} without one. */
     private LoadContext passing;
@@ -50,7 +47,7 @@ final class CloudEntries {
         }
 
         boolean isDrawn() {
-            return cloud.presence() > 0 && cloud.shareDrawn() > 0;
+            return cloud.presence() > 0 && cloud.fractionDrawn() > 0;
         }
 
         private void follow(FrameContext frame, boolean isFlash, TechniqueFade fade) {
@@ -58,7 +55,7 @@ final class CloudEntries {
             for (List<CloudTechnique> stage : stages) {
                 share += fade.share(stage);
             }
-            cloud.shareDrawn(Math.min(1, share));
+            cloud.fractionDrawn(Math.min(1, share));
             CloudInterval now = clouds.now();
             cloud.follow(now);
             drawing.follow(frame.frameState().environment(), now);
@@ -74,25 +71,23 @@ final class CloudEntries {
      * @param clouds by the techniques that remain
      * @param techniques the one for {@code auto} first
      */
-    CloudEntries(CloudContext context, List<PlacedCloud> clouds, List<Registered> techniques) {
+    CloudEntries(CloudContext context, List<PlacedCloud> clouds, List<CloudDrawing.Technique> techniques) {
         levelClouds = context.load().get(RendererClouds.RESOURCE);
         hasLightning = context.load().get(FrameLightning.RESOURCE) != null;
         this.techniques = techniques;
         TechniqueFade fade = levelClouds.fade();
-        Map<CloudTechnique, CloudTechniqueDrawer> remaining = new EnumMap<>(CloudTechnique.class);
         List<PassingStage> stages = fade.isComplete() ? List.of() : stages(context.load(), fade);
         for (PlacedCloud cloud : clouds) {
             if (stages.isEmpty()) {
-                all.add(remaining(cloud, List.of(fade.techniques()), context, remaining));
+                all.add(remaining(cloud, List.of(fade.techniques()), context));
             } else {
-                addRuns(cloud, stages, context, remaining);
+                addRuns(cloud, stages, context);
             }
         }
     }
 
-    /** The techniques of a stage with what is built for them. */
-    private record PassingStage(
-            List<CloudTechnique> techniques, FrameClouds clouds, Map<CloudTechnique, CloudTechniqueDrawer> built) {}
+    /** The techniques of a stage with the clouds that are sampled for them. */
+    private record PassingStage(List<CloudTechnique> techniques, FrameClouds clouds) {}
 
     private List<PassingStage> stages(LoadContext load, TechniqueFade fade) {
         passing = load.ownedBy(load.own(new OwnedObjects(load.gl())));
@@ -103,7 +98,7 @@ final class CloudEntries {
             if (!remains) {
                 passingClouds.add(clouds);
             }
-            stages.add(new PassingStage(stage.techniques(), clouds, new EnumMap<>(CloudTechnique.class)));
+            stages.add(new PassingStage(stage.techniques(), clouds));
         }
         return stages;
     }
@@ -112,8 +107,7 @@ final class CloudEntries {
     private void addRuns(
             PlacedCloud cloud,
             List<PassingStage> stages,
-            CloudContext context,
-            Map<CloudTechnique, CloudTechniqueDrawer> remaining) {
+            CloudContext context) {
         int first = 0;
         while (first < stages.size()) {
             int end = first + 1;
@@ -126,7 +120,7 @@ final class CloudEntries {
             boolean remains = runTechniques.contains(levelClouds.fade().techniques());
             all.add(
                     remains
-                            ? remaining(cloud, runTechniques, context, remaining)
+                            ? remaining(cloud, runTechniques, context)
                             : passing(cloud, run.get(0), runTechniques, context));
             first = end;
         }
@@ -144,38 +138,31 @@ final class CloudEntries {
             PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext context) {
         var before = new PlacedCloud(source(stage, cloud), cloud.index());
         var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, context.ranges());
-        CloudDrawing drawing = drawer(drawn(before.source()), stage.built, own).of(before);
+        CloudDrawing drawing = drawn(before.source()).build().apply(own, before);
         return new Entry(before, stage.clouds, stages, drawing, null);
     }
 
     private Entry remaining(
             PlacedCloud cloud,
             List<List<CloudTechnique>> stages,
-            CloudContext context,
-            Map<CloudTechnique, CloudTechniqueDrawer> built) {
-        Registered technique = drawn(cloud.source());
-        CloudDrawing drawing = drawer(technique, built, context).of(cloud);
+            CloudContext context) {
+        CloudDrawing.Technique technique = drawn(cloud.source());
+        CloudDrawing drawing = technique.build().apply(context, cloud);
         // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
-        Registered marched = techniques.get(0);
+        CloudDrawing.Technique marched = techniques.get(0);
         CloudDrawing flashed = !hasLightning
                 ? null
                 : technique == marched
                         ? drawing
-                        : drawer(marched, built, context).of(cloud);
+                        : marched.build().apply(context, cloud);
         return new Entry(cloud, levelClouds.current(), stages, drawing, flashed);
     }
 
-    private static CloudTechniqueDrawer drawer(
-            Registered technique, Map<CloudTechnique, CloudTechniqueDrawer> built, CloudContext context) {
-        return built.computeIfAbsent(
-                technique.technique(), known -> technique.build().apply(context));
-    }
-
-    /** Returns the technique of a cloud; the first one for {@code auto} and where the written one cannot show it. */
-    private Registered drawn(CloudSource cloud) {
+    /** Returns the technique of a cloud; the first one for {@code auto} and where the authored one cannot draw it. */
+    private CloudDrawing.Technique drawn(CloudSource cloud) {
         return techniques.stream()
                 .filter(known -> known.technique() == cloud.cloud().technique()
-                        && known.canShow().test(cloud))
+                        && known.canDraw().test(cloud))
                 .findFirst()
                 .orElse(techniques.get(0));
     }

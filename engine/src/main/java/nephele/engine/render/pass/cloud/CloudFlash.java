@@ -6,8 +6,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
-import nephele.engine.render.gl.DrawState.Cull;
-import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -24,23 +22,17 @@ final class CloudFlash {
     /** Least number of pixels of the view along each side of one of the layer: scattered light is smooth. */
     private static final int LEAST_DIVISOR = 6;
 
-    private final LoadContext context;
     private final GlContext gl;
     private final FrameLightning lightning;
-    private final int clouds;
     private final CloudLayer layer;
     private final RenderTarget row;
     private final DrawState.Limits limits = new DrawState.Limits();
-    private CompositeProgram composite;
-    private CompositeProgram compositeBehindSurfaces;
 
     /** @param clouds number of bounds that programs know */
     CloudFlash(LoadContext context, int divisorOfClouds, int clouds) {
-        this.context = context;
-        this.clouds = clouds;
         gl = context.gl();
         lightning = context.get(FrameLightning.RESOURCE);
-        layer = context.own(new CloudLayer(context, Math.max(LEAST_DIVISOR, divisorOfClouds), 1));
+        layer = context.own(new CloudLayer(context, Math.max(LEAST_DIVISOR, divisorOfClouds), 1, clouds));
         row = context.own(
                 RenderTarget.picture(gl, "transmittance of a bolt", PixelFormat.RGBA16F, Bolt.MOST_POINTS, 1));
         row.clear(1, 1, 1);
@@ -75,27 +67,6 @@ final class CloudFlash {
      */
     void add(FrameContext frame, CloudRanges ranges, FullScreenTriangle triangle) {
         frame.surface().bind();
-        gl.state().set(ranges != null ? Depth.OFF : Depth.LESS_OR_EQUAL, Blend.ADD, Cull.NONE);
-        CompositeProgram program = ranges != null ? compositeBehindSurfaces() : composite();
-        program.use();
-        if (ranges != null) {
-            ranges.put(program.ranges(), frame.view());
-        }
-        layer.bindPicture();
-        triangle.draw();
-    }
-
-    private CompositeProgram composite() {
-        if (composite == null) {
-            composite = new CompositeProgram(context, false, clouds, layer.divisor());
-        }
-        return composite;
-    }
-
-    private CompositeProgram compositeBehindSurfaces() {
-        if (compositeBehindSurfaces == null) {
-            compositeBehindSurfaces = new CompositeProgram(context, true, clouds, layer.divisor());
-        }
-        return compositeBehindSurfaces;
+        layer.draw(Blend.ADD, ranges, frame.view(), triangle);
     }
 }

@@ -1,15 +1,21 @@
 package nephele.engine.render.pass.cloud;
 
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.View;
 
 /**
@@ -18,12 +24,23 @@ import nephele.engine.scene.View;
  * frames ago as a square has rays. The first frame after a cut marches all, as after a jump in time. Views that all march
  * all rays may share a layer in turn.
  */
-final class CloudLayer implements GlObject, RayGrid {
+final class CloudLayer implements GlObject {
     /** A longer time between two frames is a jump: clouds have another shape after it. */
     private static final double JUMP_SECONDS = 1;
 
+    /**
+     * As far away as clouds count that a ray may have met before and does not meet now, with the eye in their bounds.
+     */
+    private static final double NEAREST_KILOMETRES = 0.02;
+
+    private static final double SKY_KILOMETRES = 100;
+    private static final String FOLDER = "/nephele/engine/render/pass/cloud/";
+
     private final GlContext gl;
     private final LoadContext context;
+    /** Number of bounds that programs know. */
+    private final int clouds;
+
     private final int divisor;
     private final int side;
     private final DrawState.Limits limits = new DrawState.Limits();
@@ -35,8 +52,18 @@ final class CloudLayer implements GlObject, RayGrid {
     /** The layer as it is drawn; a pixel for each corner of its pixels. */
     private RenderTarget joined;
 
-    private SpreadProgram program;
-    private JoinProgram joining;
+    /** Completes a layer of which a frame has marched a part; compiled on first use, as are the following. */
+    private GlProgram<SpreadUniforms> spread;
+
+    /** Smooths a layer once, so that a pixel of the view needs one look at it. */
+    private GlProgram<Uniforms.None> join;
+
+    /** Draws a layer over a view where no surface is before or among the clouds. */
+    private GlProgram<Uniforms.None> composite;
+
+    /** Draws it where surfaces can be among the clouds. */
+    private GlProgram<MixedUniforms> compositeMixed;
+
     private View before;
     private double seconds;
     private double secondsBefore;
@@ -44,6 +71,19 @@ final class CloudLayer implements GlObject, RayGrid {
     private int height;
     private int frame;
     private int cuts;
+
+    private record SpreadUniforms(
+            Uniforms.Vector2 layerStep,
+            Uniforms.Vector3 square,
+            Uniforms.Vector3 beforeRight,
+            Uniforms.Vector3 beforeUp,
+            Uniforms.Vector3 beforeForward,
+            Uniforms.Vector3 moved,
+            Uniforms.Vector2 halfLayer,
+            Uniforms.Scalar nearestKilometres,
+            Uniforms.Vector3 movedPast) {}
+
+    private record MixedUniforms(CloudRanges.Places ranges) {}
 
     /**
      * The cloud that may have moved farthest in a picture between two frames.
@@ -59,9 +99,11 @@ final class CloudLayer implements GlObject, RayGrid {
     /**
      * @param divisor pixels of the view along each side of one of the layer
      * @param side of the square of rays of which a frame marches one; 1 to march all
+     * @param clouds number of bounds that programs know
      */
-    CloudLayer(LoadContext context, int divisor, int side) {
+    CloudLayer(LoadContext context, int divisor, int side, int clouds) {
         this.context = context;
+        this.clouds = clouds;
         gl = context.gl();
         this.divisor = divisor;
         this.side = side;
@@ -107,19 +149,14 @@ final class CloudLayer implements GlObject, RayGrid {
         return before == null ? 1 : side;
     }
 
-    @Override
-    public void put(PixelUniforms.Rays rays) {
+    /** Returns the rays that the frame marches. */
+    CloudCanvas.Grid grid() {
         int n = marchedSide();
         double offset = 0.5 * (1 - n);
         double x = n == 1 ? 0 : column(frame, side);
         double y = n == 1 ? 0 : row(frame, side);
-        rays.square().set(n, (float) (x + offset), (float) (y + offset));
-        rays.step().set((float) (2.0 * divisor / width), (float) (2.0 * divisor / height));
-    }
-
-    @Override
-    public double pixel() {
-        return 2.0 * divisor * marchedSide() / height;
+        return new CloudCanvas.Grid(
+                n, x + offset, y + offset, 2.0 * divisor / width, 2.0 * divisor / height, 0, secondsBefore);
     }
 
     /** Returns the column of the ray that a frame marches in a square, whose side is a power of 2. */
@@ -146,51 +183,83 @@ final class CloudLayer implements GlObject, RayGrid {
         before = side == 1 ? null : view;
     }
 
-    @Override
-    public double secondsBefore() {
-        return secondsBefore;
-    }
-
     private void complete(View view, Nearest nearest, FullScreenTriangle triangle) {
-        if (program == null) {
-            program = new SpreadProgram(context);
+        if (spread == null) {
+            spread = program("spread.frag", Defines.of(context), SpreadUniforms.class);
         }
         RenderTarget completed = other;
         other = shown;
         shown = completed;
         completed.bind();
-        gl.state().set(DrawState.Depth.OFF, DrawState.Blend.REPLACE, DrawState.Cull.NONE);
+        gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
         fresh.colour().bind(TextureUnit.SPREAD_FRESH);
         fresh.second().bind(TextureUnit.SPREAD_PLACES);
         other.colour().bind(TextureUnit.SPREAD_BEFORE);
-        program.use(
-                before,
-                view,
-                nearest.metres(),
-                nearest.blown(secondsBefore, seconds),
-                new SpreadProgram.Square(side, column(frame, side), row(frame, side)),
-                (double) width / divisor,
-                (double) height / divisor);
+        spread.use();
+        put(spread.uniforms(), view, nearest);
         triangle.draw();
+    }
+
+    private void put(SpreadUniforms uniforms, View view, Nearest nearest) {
+        double across = (double) width / divisor;
+        double upwards = (double) height / divisor;
+        uniforms.layerStep.set(2 / across, 2 / upwards);
+        uniforms.halfLayer.set(across / 2, upwards / 2);
+        uniforms.square.set(side, column(frame, side), row(frame, side));
+        Vec3 moved = view.eye().minus(before.eye());
+        uniforms.moved.set(moved);
+        uniforms.movedPast.set(moved.minus(nearest.blown(secondsBefore, seconds)));
+        uniforms.nearestKilometres.set(
+                Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearest.metres() / 1000)));
+        uniforms.beforeRight.setScaled(before.right(), 1 / before.projection().tanHalfWidth());
+        uniforms.beforeUp.setScaled(before.up(), 1 / before.projection().tanHalfHeight());
+        uniforms.beforeForward.setScaled(before.back(), -1);
     }
 
     private void join(FullScreenTriangle triangle) {
-        if (joining == null) {
-            joining = new JoinProgram(context);
+        if (join == null) {
+            join = program("join.frag", Defines.of(context), Uniforms.None.class);
         }
         joined.bind();
-        gl.state().set(DrawState.Depth.OFF, DrawState.Blend.REPLACE, DrawState.Cull.NONE);
+        gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
         shown.colour().bind(TextureUnit.COLOURS);
-        joining.use();
+        join.use();
         triangle.draw();
     }
 
-    int divisor() {
-        return divisor;
+    /**
+     * Draws the layer over the bound view.
+     *
+     * @param ranges of the clouds, if surfaces can be among them and hide some; otherwise {@code null}
+     */
+    void draw(Blend blend, CloudRanges ranges, View view, FullScreenTriangle triangle) {
+        boolean isMixed = ranges != null;
+        gl.state().set(isMixed ? Depth.OFF : Depth.LESS_OR_EQUAL, blend, Cull.NONE);
+        if (isMixed) {
+            if (compositeMixed == null) {
+                compositeMixed = program("composite.frag", defines("MIXED"), MixedUniforms.class);
+            }
+            compositeMixed.use();
+            ranges.put(compositeMixed.uniforms().ranges, view);
+        } else {
+            if (composite == null) {
+                composite = program("composite.frag", defines("FARTHEST"), Uniforms.None.class);
+            }
+            composite.use();
+        }
+        joined.colour().bind(TextureUnit.COLOURS);
+        triangle.draw();
     }
 
-    void bindPicture() {
-        joined.colour().bind(TextureUnit.COLOURS);
+    private Defines defines(String kind) {
+        return Defines.of(context)
+                .with(kind)
+                .with("CLOUDS", clouds)
+                .with("DIVISOR", (double) divisor);
+    }
+
+    private <U extends Record> GlProgram<U> program(String fragment, Defines defines, Class<U> uniforms) {
+        return GlProgram.of(gl, FOLDER + "cloud.vert", FOLDER + fragment, defines.values(), uniforms);
     }
 
     @Override

@@ -54,13 +54,10 @@ public final class CloudPass implements Pass {
     /** The layer of all views but the main one. */
     private final CloudLayer nestedLayer;
 
-    private CompositeProgram composite;
-    private CompositeProgram compositeBehindSurfaces;
-
     /** {@code null} without lightning. */
     private final CloudFlash flash;
 
-    private CloudPass(LoadContext context, List<CloudTechniqueDrawer.Registered> techniques) {
+    private CloudPass(LoadContext context, List<CloudDrawing.Technique> techniques) {
         this.context = context;
         gl = context.gl();
         levelClouds = context.get(RendererClouds.RESOURCE);
@@ -79,18 +76,18 @@ public final class CloudPass implements Pass {
         impostors = quality.impostors() == Quality.ImpostorChoice.AUTO ? new Impostors(context, divisor, side) : null;
         entries = new CloudEntries(new CloudContext(context, impostors, ranges.count()), clouds, techniques);
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
-        mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side)) : null;
-        nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1)) : null;
+        mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side, ranges.count())) : null;
+        nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1, ranges.count())) : null;
         flash = lightning == null ? null : new CloudFlash(context, divisor, ranges.count());
     }
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
-    public static RenderFeature feature(List<CloudTechniqueDrawer.Registered> techniques) {
+    public static RenderFeature feature(List<CloudDrawing.Technique> techniques) {
         return new RenderFeature("clouds", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, techniques))
                 .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, AmbientLight.RESOURCE);
     }
 
-    private static List<Required> requiredBy(FrameRequest request, List<CloudTechniqueDrawer.Registered> techniques) {
+    private static List<Required> requiredBy(FrameRequest request, List<CloudDrawing.Technique> techniques) {
         List<Cloud> clouds = WeatherClouds.all(request.level().environment());
         return clouds.isEmpty()
                 ? List.of()
@@ -173,7 +170,7 @@ public final class CloudPass implements Pass {
         draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, nearest(view.eye()), triangle);
         frame.surface().bind();
-        drawLayer(layer, view, mixed);
+        layer.draw(Blend.PREMULTIPLIED_OVER, mixed ? ranges : null, view, triangle);
         if (mixed) {
             draw(CloudPixels.MIXED, view, null);
         }
@@ -192,7 +189,7 @@ public final class CloudPass implements Pass {
 
     /** @param layer into which is drawn; {@code null} for the view itself */
     private void draw(CloudPixels pixels, View view, CloudLayer layer) {
-        canvas.begin(pixels, view, levelClouds.current().focus(), layer);
+        canvas.begin(pixels, view, levelClouds.current().focus(), layer == null ? null : layer.grid());
         List<CloudEntries.Entry> all = entries.all();
         for (int i = 0; i < all.size(); i++) {
             CloudDrawing drawing = all.get(i).drawing(pixels);
@@ -201,31 +198,6 @@ public final class CloudPass implements Pass {
                 drawing.draw(canvas);
             }
         }
-    }
-
-    private void drawLayer(CloudLayer layer, View view, boolean mixed) {
-        gl.state().set(mixed ? Depth.OFF : Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-        CompositeProgram program = mixed ? compositeBehindSurfaces() : composite();
-        program.use();
-        if (mixed) {
-            ranges.put(program.ranges(), view);
-        }
-        layer.bindPicture();
-        triangle.draw();
-    }
-
-    private CompositeProgram composite() {
-        if (composite == null) {
-            composite = new CompositeProgram(context, false, ranges.count(), mainLayer.divisor());
-        }
-        return composite;
-    }
-
-    private CompositeProgram compositeBehindSurfaces() {
-        if (compositeBehindSurfaces == null) {
-            compositeBehindSurfaces = new CompositeProgram(context, true, ranges.count(), mainLayer.divisor());
-        }
-        return compositeBehindSurfaces;
     }
 
     private double farthestSurface(Vec3 eye) {

@@ -17,7 +17,7 @@ public enum CloudPixels {
     /** All of an impostor's picture, as if there were neither surfaces nor air. */
     CAPTURED;
 
-    /** Returns true if rays belong to a {@link RayGrid}. */
+    /** Returns true if rays belong to a {@link CloudCanvas.Grid}. */
     boolean isGrid() {
         return this == WHOLE || this == FLASH || this == CAPTURED;
     }

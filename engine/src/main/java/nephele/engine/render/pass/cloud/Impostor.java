@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import java.util.function.Supplier;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.cloud.drawn.PuffSlabs;
@@ -21,10 +20,9 @@ final class Impostor implements GlObject {
     /** Frames after which a cloud that is not worth a picture is asked again. */
     private static final int PAUSE_FRAMES = 8;
 
+    private final PuffCloud cloud;
     private final PlacedCloud placed;
     private final LitCloud cells;
-    private final PerPixels<PuffProgram> programs;
-    private final Supplier<CloudPuffs> balls;
     private ImpostorPicture shown;
     private ImpostorPicture coming;
     private Aabb bounds;
@@ -38,17 +36,10 @@ final class Impostor implements GlObject {
     /** Frames that the last picture took or would have taken. */
     private double makingFrames;
 
-    /** @param balls of the frame */
-    Impostor(
-            GlContext gl,
-            PlacedCloud placed,
-            LitCloud cells,
-            PerPixels<PuffProgram> programs,
-            Supplier<CloudPuffs> balls) {
-        this.balls = balls;
-        this.placed = placed;
-        this.cells = cells;
-        this.programs = programs;
+    Impostor(GlContext gl, PuffCloud cloud) {
+        this.cloud = cloud;
+        placed = cloud.placed();
+        cells = cloud.cells();
         shown = new ImpostorPicture(gl);
         coming = new ImpostorPicture(gl);
     }
@@ -90,12 +81,8 @@ final class Impostor implements GlObject {
         return placed;
     }
 
-    LitCloud cells() {
-        return cells;
-    }
-
-    PuffProgram captureProgram() {
-        return programs.of(CloudPixels.CAPTURED);
+    PuffCloud cloud() {
+        return cloud;
     }
 
     ImpostorPicture shown() {
@@ -109,9 +96,9 @@ final class Impostor implements GlObject {
     /**
      * Begins a new picture if the one that is shown is worn and another one is worth its making.
      *
-     * @param moved the eye's way of the last frame
+     * @param moved the eye's displacement in the last frame
      */
-    void prepare(View view, Vec3 moved, ImpostorLimits limits) {
+    void prepare(View view, Vec3 moved, Impostors limits) {
         wear = wear(shown, view, limits);
         if (coming.slabs() != null && wear(coming, view, limits) > WORN) {
             coming.forget();
@@ -122,7 +109,7 @@ final class Impostor implements GlObject {
             return;
         }
         PuffSlabs slabs =
-                PuffSlabs.of(balls.get(), eye(view), limits.texel(view)).orElse(null);
+                PuffSlabs.of(cloud.puffs(), eye(view), limits.texel(view)).orElse(null);
         if (slabs != null && isWorth(slabs, view, moved, limits)) {
             coming.begin(slabs, placed, cells);
         } else {
@@ -130,15 +117,15 @@ final class Impostor implements GlObject {
         }
     }
 
-    private boolean isWorth(PuffSlabs slabs, View view, Vec3 moved, ImpostorLimits limits) {
+    private boolean isWorth(PuffSlabs slabs, View view, Vec3 moved, Impostors limits) {
         Vec3 next = slabs.eye().plus(moved);
         double turned = Math.max(slabs.errorRadians(next) / limits.toleranceRadians(view), slabs.otherError(next));
         double step = Math.max(turned, ageing);
         long texels = slabs.texels();
-        makingFrames = Math.ceil((double) texels / ImpostorLimits.MOST_TEXELS);
+        makingFrames = Math.ceil((double) texels / Impostors.MOST_TEXELS);
         double drawingFrames = texels / limits.texelsDirectly(slabs, view);
         for (int ball = 0; ball < slabs.balls().size(); ball++) {
-            if (slabs.texels(ball) > ImpostorLimits.MOST_TEXELS) {
+            if (slabs.texels(ball) > Impostors.MOST_TEXELS) {
                 return false;
             }
         }
@@ -159,11 +146,11 @@ final class Impostor implements GlObject {
     }
 
     /** Returns true if a canvas can show the picture in the place of the balls. */
-    boolean serves(View view, ImpostorLimits limits) {
+    boolean serves(View view, Impostors limits) {
         return shown.slabs() != null && wear(shown, view, limits) <= 1;
     }
 
-    private double wear(ImpostorPicture picture, View view, ImpostorLimits limits) {
+    private double wear(ImpostorPicture picture, View view, Impostors limits) {
         return picture.slabs() == null
                 ? Double.POSITIVE_INFINITY
                 : picture.wear(eye(view), limits.toleranceRadians(view), placed, cells);

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.cloud;
 
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
@@ -7,7 +9,8 @@ import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.drawn.DrawnCloud;
-import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.SmallAngleScattering;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
@@ -15,24 +18,43 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.AmbientLight;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
+import org.lwjgl.system.MemoryUtil;
 
-/** The cells of a cloud on the GPU at the time of the frame, and the light around it: the numbers of {@link CellUniforms}. */
+/**
+ * A cloud as shaders light it: its cells at two sampled times in textures, and the light around it at the time of the frame.
+ */
 public final class LitCloud {
-    private final AmbientLight light;
+    private final AmbientLight ambient;
     private final PlacedCloud placed;
     private final CloudSource cloud;
-    private final CloudTextures textures;
+    private final Texture density;
+    private final Texture smallAngles;
+    private Texture light;
+    private Texture lightToCome;
+    /** The cells whose light {@link #light} holds. */
+    private CellStack lightOf;
+
+    private CellStack lightToComeOf;
+    /** The cells whose densities the texture holds. */
+    private CellStack densityFrom;
+
+    private CellStack densityTo;
 
     private Environment followed;
     private Around around;
     private DrawnCloud shown;
     private DrawnCloud toCome;
     private double share;
-    private double groundShare;
+    private double groundFraction;
 
     /**
      * The light around a cloud.
@@ -56,10 +78,35 @@ public final class LitCloud {
     }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
-        light = context.get(AmbientLight.RESOURCE);
+        ambient = context.get(AmbientLight.RESOURCE);
         this.placed = placed;
         cloud = placed.source();
-        textures = new CloudTextures(context, cloud);
+        CellBox cells = cloud.narrowest();
+        density = volume(context, "cloud density", PixelFormat.RGBA8, cells, cloud.levels());
+        CellBox lit = cells.coarser(context.quality().cloudLightCell());
+        light = volume(context, "cloud light", PixelFormat.RGBA16F, lit, cloud.levels());
+        lightToCome = volume(context, "cloud light to come", PixelFormat.RGBA16F, lit, cloud.levels());
+        smallAngles = context.own(new Texture(
+                context.gl(),
+                "small-angle scattering",
+                Texture.Shape.FLAT,
+                PixelFormat.R32F,
+                Texture.Extent.flat(SmallAngleScattering.SEPARATIONS, SmallAngleScattering.DEPTHS),
+                Sampling.LINEAR_CLAMP));
+        FloatBuffer texels = MemoryUtil.memAllocFloat(SmallAngleScattering.SEPARATIONS * SmallAngleScattering.DEPTHS);
+        texels.put(cloud.physics().smallAngles().values()).flip();
+        smallAngles.upload(0, MemoryUtil.memByteBuffer(texels));
+        MemoryUtil.memFree(texels);
+    }
+
+    private static Texture volume(LoadContext context, String name, PixelFormat format, CellBox cells, int boxes) {
+        return context.own(new Texture(
+                context.gl(),
+                name,
+                Texture.Shape.VOLUME,
+                format,
+                new Texture.Extent(cells.nx(), cells.ny() * boxes, cells.nz()),
+                Sampling.LINEAR_CLAMP));
     }
 
     /** Takes its cells and the light around it at the time of the frame. */
@@ -67,9 +114,58 @@ public final class LitCloud {
         shown = now.from().clouds().all().get(placed.index());
         toCome = now.to().clouds().all().get(placed.index());
         share = now.share();
-        groundShare = now.groundShare();
-        textures.show(shown.cells(), toCome.cells());
+        groundFraction = now.groundShare();
+        upload(shown.cells(), toCome.cells());
         follow(environment);
+    }
+
+    /** Uploads the cells of two times that are not in the textures yet. */
+    private void upload(CellStack from, CellStack to) {
+        if (from == densityFrom && to == densityTo) {
+            return;
+        }
+        densityFrom = from;
+        densityTo = to;
+        if (from != lightOf && from == lightToComeOf) {
+            Texture passed = light;
+            light = lightToCome;
+            lightToCome = passed;
+            lightToComeOf = null;
+        } else if (from != lightOf) {
+            uploadLight(light, from);
+        }
+        if (to != lightToComeOf && to != from) {
+            uploadLight(lightToCome, to);
+        }
+        uploadDensity(from, to);
+        lightOf = from;
+        lightToComeOf = to == from ? lightToComeOf : to;
+    }
+
+    private void uploadDensity(CellStack from, CellStack to) {
+        CellBox cells = from.narrowest();
+        ByteBuffer texels = MemoryUtil.memAlloc(4 * cells.nx() * cells.ny());
+        for (int box = 0; box < from.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                from.putDensity(to, box, k, texels.clear());
+                density.upload(k, rows, texels.flip());
+            }
+        }
+        MemoryUtil.memFree(texels);
+    }
+
+    private static void uploadLight(Texture texture, CellStack stack) {
+        CellBox cells = stack.light().get(0).cells();
+        ByteBuffer texels = MemoryUtil.memAlloc(4 * Float.BYTES * cells.nx() * cells.ny());
+        for (int box = 0; box < stack.levels(); box++) {
+            var rows = new Texture.Region(0, box * cells.ny(), cells.nx(), cells.ny());
+            for (int k = 0; k < cells.nz(); k++) {
+                stack.light().get(box).put(k, texels.clear().asFloatBuffer());
+                texture.upload(k, rows, texels.clear());
+            }
+        }
+        MemoryUtil.memFree(texels);
     }
 
     private void follow(Environment now) {
@@ -79,7 +175,7 @@ public final class LitCloud {
         followed = now;
         Aabb extent = cloud.bounds();
         Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
-        SkyIrradiance sky = light.clearIrradiance(now);
+        SkyIrradiance sky = ambient.clearIrradiance(now);
         around = new Around(
                 CloudTimeline.towardsSun(now),
                 sun == null ? Vec3.ZERO : sun.irradiance(),
@@ -108,40 +204,35 @@ public final class LitCloud {
     }
 
     /**
-     * Binds the textures and sets the numbers of a program in use.
+     * Binds the textures and sets the uniforms of a program in use.
      *
      * @param focus of the boxes of layers
      */
-    public void put(CellUniforms uniforms, View view, Vec3 focus) {
-        put(uniforms.density(), view, focus);
-        set(uniforms.cloudSun(), around.towardsSun);
-        if (uniforms.diffuseAxis() != null) {
-            Vec3 axis = shown.cells().diffuseAxis(around.towardsSun);
-            uniforms.diffuseAxis().set((float) axis.x(), (float) axis.y(), (float) axis.z(), (float)
-                    cloud.physics().slopeOfBeam());
-        }
-        set(uniforms.irradiance(), around.irradiance);
-        set(uniforms.skyAbove(), around.above);
-        set(uniforms.skyBelow(), around.below.scaled(groundShare));
-    }
-
-    /** Does the same for a program that needs no light of the cells. */
-    public void put(DensityUniforms uniforms, View view, Vec3 focus) {
-        textures.bind();
-        putBoxes(uniforms.boxes(), view.eye().minus(placed.drift()), focus.minus(view.eye()));
-        CloudOptics optics = cloud.physics().optics();
-        DeltaScaling scaled = cloud.physics().medium();
-        double greatestPerMetre = placed.presence() * shown.fullPerMetre();
-        uniforms.medium().set((float) greatestPerMetre, (float) scaled.depthFactor(), (float) optics.albedo(), (float)
-                scaled.albedo());
-        if (uniforms.phase() != null) {
-            uniforms.phase()
-                    .set(
-                            (float) scaled.g(),
-                            (float) (1 / cloud.physics().smallAngles().deepest()),
-                            (float) cloud.halfCurvature(),
-                            (float) optics.meanCosine());
-        }
+    public void put(CloudUniforms uniforms, View view, Vec3 focus) {
+        density.bind(TextureUnit.CLOUD_DENSITY);
+        light.bind(TextureUnit.CLOUD_LIGHT);
+        lightToCome.bind(TextureUnit.CLOUD_LIGHT_TO_COME);
+        smallAngles.bind(TextureUnit.SMALL_ANGLES);
+        put(uniforms.nested(), view.eye().minus(placed.drift()), focus.minus(view.eye()));
+        CloudLight physics = cloud.physics();
+        DeltaScaling scaled = physics.medium();
+        uniforms.medium()
+                .set(
+                        placed.presence() * shown.fullPerMetre(),
+                        scaled.depthFactor(),
+                        physics.optics().albedo(),
+                        scaled.albedo());
+        uniforms.phase()
+                .set(
+                        scaled.g(),
+                        1 / physics.smallAngles().deepest(),
+                        cloud.halfCurvature(),
+                        physics.optics().meanCosine());
+        uniforms.cloudSun().set(around.towardsSun);
+        uniforms.diffuseAxis().set(shown.cells().diffuseAxis(around.towardsSun), physics.slopeOfBeam());
+        uniforms.irradiance().set(around.irradiance);
+        uniforms.skyAbove().set(around.above);
+        uniforms.skyBelow().setScaled(around.below, groundFraction);
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */
@@ -154,23 +245,29 @@ public final class LitCloud {
         return placed.presence() * (before + share * (after - before));
     }
 
-    private void putBoxes(BoxUniforms uniforms, Vec3 eye, Vec3 focus) {
+    /** Returns the longest path through the cloud; of a layer, which has no end, the greatest float. */
+    public double longestPathMetres() {
+        Aabb box = shown.cells().narrowest().box();
+        return shown.cells().isLayer()
+                ? Float.MAX_VALUE
+                : new Vec3(box.maxX(), box.maxY(), box.maxZ())
+                        .minus(new Vec3(box.minX(), box.minY(), box.minZ()))
+                        .length();
+    }
+
+    private void put(CloudUniforms.Boxes uniforms, Vec3 eye, Vec3 focus) {
         CellStack cells = shown.cells();
         for (int level = 0; level < cells.levels(); level++) {
             uniforms.put(level, cells.density().get(level).cells().box(), eye);
         }
         CellBox narrowest = cells.narrowest();
         Aabb box = narrowest.box();
-        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), (float) share);
+        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), share);
         if (cells.isLayer()) {
             uniforms.put(box, eye, focus, cells.reachMetres(), cells.reachMetres());
         } else {
             double halfX = (box.maxX() - box.minX()) / 2;
             uniforms.put(box, eye, box.centre().minus(eye), halfX, (box.maxZ() - box.minZ()) / 2);
         }
-    }
-
-    private static void set(Uniforms.Vector3 place, Vec3 v) {
-        place.set((float) v.x(), (float) v.y(), (float) v.z());
     }
 }

@@ -12,7 +12,7 @@ public final class PlacedCloud {
     private double seconds;
     private Vec3 drift = Vec3.ZERO;
     private double presence;
-    private double shareDrawn = 1;
+    private double fractionDrawn = 1;
 
     /** @param index among the clouds of the level */
     PlacedCloud(CloudSource source, int index) {
@@ -48,19 +48,19 @@ public final class PlacedCloud {
         return drift;
     }
 
-    /** Returns the share of its extinction that its weather gives it, 0 if that is not there. */
+    /** Returns the fraction of its extinction that its weather gives it, 0 if that is not there. */
     public double presence() {
         return presence;
     }
 
-    /** Sets the share of its optical depth that is drawn, while another technique draws the rest. */
-    void shareDrawn(double share) {
-        shareDrawn = share;
+    /** Sets the fraction of its optical depth that is drawn, while another technique draws the rest. */
+    void fractionDrawn(double share) {
+        fractionDrawn = share;
     }
 
-    /** Returns the share of its optical depth that is drawn, 0 to 1. */
-    double shareDrawn() {
-        return shareDrawn;
+    /** Returns the fraction of its optical depth that is drawn, 0 to 1. */
+    double fractionDrawn() {
+        return fractionDrawn;
     }
 
     /** Returns the distance from a point to its bounds, metres; 0 inside. */

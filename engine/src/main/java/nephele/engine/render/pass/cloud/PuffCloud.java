@@ -1,51 +1,79 @@
 package nephele.engine.render.pass.cloud;
 
+import java.util.function.UnaryOperator;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
+import nephele.engine.render.frame.Quality.PuffLight;
+import nephele.engine.cloud.light.BeamLight;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 
-/** A cloud that is divided into balls, drawn by one of the programs for them. */
-final class PuffCloud implements CloudDrawing {
+/** Draws a cloud that is divided into puffs: each as a quad, or all of them by an {@link Impostor}. */
+public final class PuffCloud implements CloudDrawing {
     private final PlacedCloud placed;
-    private final PerPixels<PuffProgram> programs;
     private final LitCloud cells;
+    private final CloudPrograms<PuffUniforms> programs;
+    /** The light along the beam; {@code null} for {@link PuffLight#TAIL}. */
+    private final BeamLight beam;
+
     private final PuffQuads quads;
-    /** {@code null} if it is always drawn ball by ball, as is the following. */
+    /** {@code null} if it is always drawn puff by puff, as is the following. */
     private final Impostors impostors;
 
     private final Impostor impostor;
-    private DrawnCloud shownFrom;
-    private DrawnCloud shownTo;
-    private double shownShare;
+    private DrawnCloud sampledFrom;
+    private DrawnCloud sampledTo;
+    private double fraction;
     private CloudPuffs from;
     private CloudPuffs to;
     /** The puffs at the time of the frame; {@code null} until something needs them. */
     private CloudPuffs now;
 
-    PuffCloud(CloudContext context, PlacedCloud placed, PerPixels<PuffProgram> programs) {
+    private record PuffUniforms(
+            CloudUniforms cloud, Scalar margin, @IfRead Vector4 stepping, @IfRead Vector4 beamLobes) {}
+
+    /**
+     * @param context without impostors if puffs look other as the view turns
+     * @param shaders path of both shaders in the folder of clouds, without the ending
+     * @param choices adds definitions
+     */
+    public PuffCloud(
+            CloudContext context,
+            PlacedCloud placed,
+            String shaders,
+            PuffLight light,
+            UnaryOperator<Defines> choices) {
         this.placed = placed;
-        this.programs = programs;
+        beam = light.beam(placed.source().physics().optics());
+        programs = new CloudPrograms<>(
+                context,
+                shaders + ".vert",
+                shaders + ".frag",
+                defines -> choices.apply(defines.with("QUADS").withIf(beam != null, "BEAM")),
+                PuffUniforms.class);
         cells = new LitCloud(context.load(), placed);
         quads = context.load().own(new PuffQuads(context.load().gl()));
         impostors = context.impostors();
-        impostor = impostors == null
-                ? null
-                : impostors.add(context, new Impostor(context.load().gl(), placed, cells, programs, this::balls));
+        impostor = impostors == null ? null : impostors.add(context, this);
     }
 
     @Override
     public void follow(Environment environment, CloudInterval interval) {
         cells.follow(environment, interval);
-        boolean isSame = cells.shown() == shownFrom && cells.toCome() == shownTo;
+        boolean isSame = cells.shown() == sampledFrom && cells.toCome() == sampledTo;
         if (!isSame) {
-            from = cells.shown() == shownTo ? to : CloudPuffs.of(cells.shown());
+            from = cells.shown() == sampledTo ? to : CloudPuffs.of(cells.shown());
             to = cells.toCome() == cells.shown() ? from : CloudPuffs.of(cells.toCome());
-            shownFrom = cells.shown();
-            shownTo = cells.toCome();
+            sampledFrom = cells.shown();
+            sampledTo = cells.toCome();
         }
-        if (!isSame || cells.share() != shownShare) {
-            shownShare = cells.share();
+        if (!isSame || cells.share() != fraction) {
+            fraction = cells.share();
             now = null;
         }
         if (impostor != null) {
@@ -53,10 +81,18 @@ final class PuffCloud implements CloudDrawing {
         }
     }
 
-    /** Returns the balls at the time of the frame. */
-    private CloudPuffs balls() {
+    PlacedCloud placed() {
+        return placed;
+    }
+
+    LitCloud cells() {
+        return cells;
+    }
+
+    /** Returns the puffs at the time of the frame. */
+    CloudPuffs puffs() {
         if (now == null) {
-            now = from.towards(to, shownShare);
+            now = from.towards(to, fraction);
         }
         return now;
     }
@@ -66,8 +102,22 @@ final class PuffCloud implements CloudDrawing {
         if (impostors != null && impostors.draw(impostor, canvas)) {
             return;
         }
-        programs.of(canvas.pixels()).use(canvas, placed, cells);
-        quads.show(balls(), canvas.view().eye().minus(placed.drift()), placed.presence());
+        use(canvas);
+        quads.show(puffs(), canvas.view().eye().minus(placed.drift()), placed.presence());
         quads.draw();
+    }
+
+    /** Makes the program that draws puffs on a canvas the current one. */
+    void use(CloudCanvas canvas) {
+        PuffUniforms uniforms = programs.use(canvas.pixels());
+        canvas.put(uniforms.cloud, placed);
+        cells.put(uniforms.cloud, canvas.view(), canvas.focus());
+        uniforms.margin.set(canvas.margin());
+        if (beam == null) {
+            uniforms.stepping.set(1, 0.5, canvas.view().eyeY(), cells.depthAround(canvas.view()));
+        } else {
+            CloudOptics optics = beam.optics();
+            uniforms.beamLobes.set(optics.g(), optics.backG(), optics.backShare(), beam.fading());
+        }
     }
 }

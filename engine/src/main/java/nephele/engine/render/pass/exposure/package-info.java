@@ -1,2 +1,2 @@
-/** Exposure that follows from the picture: a histogram of its luminance on the GPU, and adaption to what it calls for. */
+/** Exposure that follows from the picture: a histogram of its luminance on the GPU, and adaption to it. */
 package nephele.engine.render.pass.exposure;

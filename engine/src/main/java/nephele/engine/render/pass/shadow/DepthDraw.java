@@ -12,7 +12,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
@@ -56,7 +56,7 @@ final class DepthDraw {
 
     /** Returns the layers of one kind that all renderers of an opened level share. */
     static DepthLayers layers(LoadContext context, String name) {
-        record OfLevel(Same level, String name, Quality quality) {}
+        record OfLevel(Identity level, String name, Quality quality) {}
         return context.share(
                 DepthLayers.class,
                 new OfLevel(context.openedLevel(), name, context.quality()),

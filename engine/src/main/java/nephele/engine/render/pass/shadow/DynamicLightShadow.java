@@ -1,19 +1,19 @@
 package nephele.engine.render.pass.shadow;
 
-import java.util.Map;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Frustum;
-import nephele.engine.render.resource.DynamicShadows;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.DynamicShadows;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.dynamic.VisibleInstances;
 import nephele.engine.scene.light.LightShadowLayers;
 import org.joml.Matrix4d;
@@ -26,10 +26,10 @@ final class DynamicLightShadow {
     private record Layer(Matrix4d clipFromAnchor, Frustum frustum, PunctualLight light) {}
 
     /** The content of the pictures: the dynamic objects of one renderer in one state. */
-    private record Content(Same dynamicObjects, long state) {}
+    private record Content(Identity dynamicObjects, long state) {}
 
     private final Map<Target, Texture> targets;
-    private final Same dynamicObjects;
+    private final Identity dynamicObjects;
     private final DynamicDepthDraw depth;
     private final DynamicShadows shade;
     private final List<Layer> layers = new ArrayList<>();
@@ -40,7 +40,7 @@ final class DynamicLightShadow {
 
     DynamicLightShadow(LoadContext context, DynamicMeshes meshes, DynamicDepthDraw depth) {
         targets = context.targets();
-        dynamicObjects = new Same(meshes);
+        dynamicObjects = new Identity(meshes);
         this.depth = depth;
         SurfaceLight surfaceLight = context.get(SurfaceLight.RESOURCE);
         shade = surfaceLight.dynamicShadows();

@@ -15,7 +15,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.render.resource.SurfaceLight;
@@ -43,7 +43,7 @@ public final class LightShadowPass implements Pass {
     private final Texture.Extent extent;
 
     /** The data on which a picture depends. */
-    private record Content(PunctualLight light, int axis, Same shade, Vec3 anchor) {}
+    private record Content(PunctualLight light, int axis, Identity shade, Vec3 anchor) {}
 
     private LightShadowPass(LoadContext context) {
         targets = context.targets();
@@ -56,7 +56,10 @@ public final class LightShadowPass implements Pass {
         maps = DepthDraw.layers(context, "light shadows");
         contents = shadows.layers().stream()
                 .map(layer -> new Content(
-                        lights.get(layer.light()), layer.axis(), new Same(table.shadowToken(layer.light())), anchor))
+                        lights.get(layer.light()),
+                        layer.axis(),
+                        new Identity(table.shadowToken(layer.light())),
+                        anchor))
                 .toList();
         extent = new Texture.Extent(
                 shadows.side(), shadows.side(), shadows.layers().size());

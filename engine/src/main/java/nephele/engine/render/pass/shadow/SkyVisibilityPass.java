@@ -15,7 +15,7 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.SkyVisibility;
@@ -27,8 +27,8 @@ public final class SkyVisibilityPass implements Pass {
 
     private SkyVisibilityPass(LoadContext context) {
         SkyVisibility visibility = context.scene().skyVisibility();
-        Texture map =
-                context.share(Texture.class, new Same(visibility.texels()), () -> texture(context.gl(), visibility));
+        Texture map = context.share(
+                Texture.class, new Identity(visibility.texels()), () -> texture(context.gl(), visibility));
         context.targets().put(Target.SKY_VISIBILITY, map);
     }
 

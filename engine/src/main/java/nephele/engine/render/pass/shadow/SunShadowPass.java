@@ -20,7 +20,7 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.render.resource.SurfaceLight;
@@ -49,11 +49,11 @@ public final class SunShadowPass implements Pass {
     private final PlantDepth plants;
 
     private final DepthLayers map;
-    private final Same solids;
-    private final Same models;
-    private final Same planted;
+    private final Identity solids;
+    private final Identity models;
+    private final Identity planted;
     /** The shapes that plants may stand on; nothing without plants. */
-    private final Same plantsOn;
+    private final Identity plantsOn;
 
     private final List<HeightField> ground;
     private List<Content> contents = List.of();
@@ -61,10 +61,10 @@ public final class SunShadowPass implements Pass {
 
     /** The data on which a map depends. */
     private record Content(
-            Same solids,
-            Same models,
-            Same planted,
-            Same plantsOn,
+            Identity solids,
+            Identity models,
+            Identity planted,
+            Identity plantsOn,
             Vec3 observer,
             List<HeightField> ground,
             ShadowFrame frame) {
@@ -87,13 +87,13 @@ public final class SunShadowPass implements Pass {
         billboards = isPlanted ? new BillboardDepth(context) : null;
         map = DepthDraw.layers(context, "sun shadow");
         StaticShapes statics = context.scene().statics();
-        solids = new Same(statics.solids());
-        models = new Same(statics.models());
+        solids = new Identity(statics.solids());
+        models = new Identity(statics.models());
         ground = statics.ground().stream().map(StaticShape.HeightGrid::field).toList();
-        planted = new Same(isPlanted ? context.scene().level().billboards() : List.of());
+        planted = new Identity(isPlanted ? context.scene().level().billboards() : List.of());
         boolean hasPlants = PlantedModels.isIn(context.scene().level());
         plants = hasPlants ? new PlantDepth(context) : null;
-        plantsOn = new Same(hasPlants ? statics : List.of());
+        plantsOn = new Identity(hasPlants ? statics : List.of());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

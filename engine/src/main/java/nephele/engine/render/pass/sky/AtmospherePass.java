@@ -23,7 +23,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.resource.ByHeight;
+import nephele.engine.render.resource.HeightCache;
 import nephele.engine.render.resource.SunAndMoonTables;
 
 /**
@@ -41,7 +41,7 @@ public final class AtmospherePass implements Pass {
     private SkyProgram night;
 
     private final LoadContext context;
-    private final ByHeight<SunAndMoonTables> byHeight;
+    private final HeightCache<SunAndMoonTables> byHeight;
     private AirTables tables;
     private SunAndMoon lights;
 
@@ -49,7 +49,7 @@ public final class AtmospherePass implements Pass {
         this.context = context;
         day = new SkyProgram(context, false);
         tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
-        byHeight = context.own(new ByHeight<>(this::tables));
+        byHeight = context.own(new HeightCache<>(this::tables));
     }
 
     private SunAndMoonTables tables(double heightMetres) {

@@ -25,7 +25,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -50,7 +50,7 @@ public final class SkyboxPass implements Pass {
     private final float whiteRadiance;
     private final Cube cube;
 
-    private record MadeFrom(Same level, Sky sky, Output output) {}
+    private record MadeFrom(Identity level, Sky sky, Output output) {}
 
     /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {

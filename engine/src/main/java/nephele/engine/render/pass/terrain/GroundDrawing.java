@@ -10,9 +10,11 @@ import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SurfaceLight;
@@ -55,12 +57,12 @@ final class GroundDrawing {
         tiles = context.quality().terrainDetail() == TerrainDetail.LOD
                 ? context.share(
                         TerrainTiles.class,
-                        new TilesOf(new Same(grid.field())),
+                        new TilesOf(new Identity(grid.field())),
                         () -> new TerrainTiles(context.gl(), grid.field()))
                 : null;
         isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
-        GroundLook said = GroundLook.of(grid, context.scene().materials());
-        look = isBaked ? said.baked() : said;
+        GroundLook authored = GroundLook.of(grid, context.scene().materials());
+        look = isBaked ? authored.baked() : authored;
         light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
         paint = grid.painted().map(map -> paint(context, map)).orElse(null);
@@ -70,7 +72,7 @@ final class GroundDrawing {
         sky = LightRequirements.skyShines(context.scene().level())
                 ? context.share(
                         GroundSky.class,
-                        new SkyOf(new Same(grid.field())),
+                        new SkyOf(new Identity(grid.field())),
                         () -> new GroundSky(context.gl(), grid.field()))
                 : null;
         colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
@@ -89,14 +91,15 @@ final class GroundDrawing {
         return tiles != null && hasProjections ? List.of(Slopes.GENTLE, Slopes.STEEP) : List.of(Slopes.ALL);
     }
 
-    private record SkyOf(Same field) {}
+    private record SkyOf(Identity field) {}
 
-    private record TilesOf(Same field) {}
+    private record TilesOf(Identity field) {}
 
-    private record PaintOf(Same map) {}
+    private record PaintOf(Identity map) {}
 
     private static GroundPaint paint(LoadContext context, LayerMap map) {
-        return context.share(GroundPaint.class, new PaintOf(new Same(map)), () -> new GroundPaint(context.gl(), map));
+        return context.share(
+                GroundPaint.class, new PaintOf(new Identity(map)), () -> new GroundPaint(context.gl(), map));
     }
 
     private GlProgram<GroundUniforms> program(LoadContext context, Slopes slopes) {

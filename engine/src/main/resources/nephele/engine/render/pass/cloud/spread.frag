@@ -18,7 +18,7 @@ uniform float nearestKilometres; // to the bounds of the nearest cloud
 uniform vec3 movedPast; // from the eye before to this one, in the space that drifts with that cloud, metres
 uniform vec2 halfLayer; // pixels from the middle of the view to its sides
 
-const float SKY_KILOMETRES = java(render.pass.cloud.SpreadProgram.SKY_KILOMETRES); // where no cloud tells how far it is
+const float SKY_KILOMETRES = java(render.pass.cloud.CloudLayer.SKY_KILOMETRES); // where no cloud tells how far it is
 const float STILL = 1.0 / 64.0; // pixels
 const float TRUSTED = 0.1; // motion of the cloud between two frames, by parallax and wind, pixels
 const float UNKNOWN = -1.0; // coverage of what was not seen before

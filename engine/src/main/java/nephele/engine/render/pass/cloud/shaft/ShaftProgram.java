@@ -10,11 +10,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.pass.cloud.BoxUniforms;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.pass.cloud.CloudUniforms;
 
 /** {@code shaft.frag} with its numbers. */
 final class ShaftProgram {
@@ -29,21 +26,11 @@ final class ShaftProgram {
      */
     record Eye(Vec3 place, Vec3 focus) {}
 
-    private record Places(BoxUniforms boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {
-        static Places of(Uniforms uniforms, int boxes) {
-            uniforms.sampler("shade", TextureUnit.SHAFT_SHADE);
-            return new Places(BoxUniforms.of(uniforms, boxes), uniforms.vector3("slant"), uniforms.vector2("planet"));
-        }
-    }
+    private record Places(CloudUniforms.Boxes boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {}
 
     ShaftProgram(LoadContext context) {
-        int boxes = ShaftClouds.LEVELS;
-        var defines = Defines.of(context).with("MOST_BOXES", boxes).values();
-        program = new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "shaft.vert", defines),
-                ShaderSource.load(FOLDER + "shaft.frag", defines),
-                uniforms -> Places.of(uniforms, boxes));
+        var defines = Defines.of(context).with("MOST_BOXES", ShaftClouds.LEVELS).values();
+        program = GlProgram.of(context.gl(), FOLDER + "shaft.vert", FOLDER + "shaft.frag", defines, Places.class);
     }
 
     void use(CloudInterval now, ShaftClouds clouds, ShaftLight light, Eye eye) {
@@ -54,11 +41,11 @@ final class ShaftProgram {
             places.boxes.put(level, boxes.get(level).box(), eye.place());
         }
         CellBox narrowest = boxes.get(0);
-        places.boxes.cells().set(narrowest.ny(), 0, boxes.size(), (float) now.share());
+        places.boxes.cells().set(narrowest.ny(), 0, boxes.size(), now.share());
         double reach = clouds.grid().reach() * narrowest.sizeX();
         places.boxes.put(narrowest.box(), eye.place(), eye.focus(), reach, reach);
         Vec3 slant = SlantedShade.slant(light.towards());
-        places.slant.set((float) slant.x(), (float) slant.z(), (float) light.strength());
-        places.planet.set((float) clouds.halfCurvature(), (float) eye.place().y());
+        places.slant.set(slant.x(), slant.z(), light.strength());
+        places.planet.set(clouds.halfCurvature(), eye.place().y());
     }
 }

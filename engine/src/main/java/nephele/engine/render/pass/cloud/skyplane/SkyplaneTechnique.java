@@ -1,49 +1,103 @@
 package nephele.engine.render.pass.cloud.skyplane;
 
+import java.nio.ByteBuffer;
+import java.util.List;
+import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.SheetColumns;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.Environment;
+import nephele.engine.render.frame.Quality.CloudScattering;
+import nephele.engine.render.gl.FullScreenTriangle;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Vector2;
+import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
-import nephele.engine.render.pass.cloud.CloudPixels;
-import nephele.engine.render.pass.cloud.CloudTechniqueDrawer;
+import nephele.engine.render.pass.cloud.CloudPrograms;
+import nephele.engine.render.pass.cloud.CloudUniforms;
+import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
-import nephele.engine.render.pass.cloud.SheetProgram;
-import nephele.engine.render.pass.cloud.SheetPrograms;
+import org.lwjgl.system.MemoryUtil;
 
-/** Draws clouds as sheets at the middle of their heights, by the optical depths of their columns. */
-public final class SkyplaneTechnique implements CloudTechniqueDrawer {
-    public static final Registered REGISTERED =
-            new Registered(CloudTechnique.SKYPLANE, cloud -> true, SkyplaneTechnique::new);
+/** Draws a cloud as a sheet at the middle of its heights, by the optical depths of its columns. */
+public final class SkyplaneTechnique implements CloudDrawing {
+    public static final Technique REGISTERED =
+            new Technique(CloudTechnique.SKYPLANE, cloud -> true, SkyplaneTechnique::new);
 
-    private final CloudContext context;
-    private final SheetPrograms<Void> programs;
+    private final PlacedCloud placed;
+    private final LitCloud lit;
+    /** The columns of the cloud's boxes at two sampled times: two layers for each box. */
+    private final Texture columns;
 
-    private SkyplaneTechnique(CloudContext context) {
-        this.context = context;
-        programs = new SheetPrograms<>(context, "skyplane", this::compiled);
+    private final CloudPrograms<SheetUniforms> programs;
+    private final FullScreenTriangle triangle;
+    private List<SheetColumns> columnsFrom;
+    private List<SheetColumns> columnsTo;
+
+    private record SheetUniforms(CloudUniforms cloud, Vector2 sheet) {}
+
+    private SkyplaneTechnique(CloudContext context, PlacedCloud placed) {
+        this.placed = placed;
+        lit = new LitCloud(context.load(), placed);
+        triangle = context.load().own(new FullScreenTriangle(context.load().gl(), "skyplane"));
+        boolean isOctaves = context.load().quality().cloudScattering() == CloudScattering.OCTAVES;
+        String shape = "SHEET_" + context.load().quality().skyplaneShape().name();
+        programs = new CloudPrograms<>(
+                context,
+                "cloud.vert",
+                "skyplane/skyplane.frag",
+                defines -> defines.withIf(isOctaves, "OCTAVES").with(shape),
+                SheetUniforms.class);
+        CellBox cells = placed.source().narrowest();
+        columns = context.load()
+                .own(new Texture(
+                        context.load().gl(),
+                        "cloud columns",
+                        Texture.Shape.ARRAY,
+                        PixelFormat.RGBA32F,
+                        new Texture.Extent(
+                                SheetColumns.PER_CELL * cells.nx(),
+                                SheetColumns.PER_CELL * cells.nz(),
+                                2 * placed.source().levels()),
+                        Sampling.LINEAR_CLAMP));
     }
 
     @Override
-    public CloudDrawing of(PlacedCloud cloud) {
-        return new SkyplaneCloud(context.load(), cloud, programs);
+    public void follow(Environment environment, CloudInterval now) {
+        lit.follow(environment, now);
+        List<SheetColumns> from = lit.shown().sheet();
+        List<SheetColumns> to = lit.toCome().sheet();
+        if (from == columnsFrom && to == columnsTo) {
+            return;
+        }
+        columnsFrom = from;
+        columnsTo = to;
+        upload(from, 0);
+        if (to != from) {
+            upload(to, 1);
+        }
     }
 
-    private SheetProgram<Void> compiled(CloudPixels pixels) {
-        return new SheetProgram<>(
-                context,
-                pixels,
-                "skyplane/skyplane.frag",
-                defines -> defines.with(shapeDefine()),
-                SkyplaneTechnique::ownPlaces);
+    private void upload(List<SheetColumns> boxes, int time) {
+        ByteBuffer texels = MemoryUtil.memAlloc(Float.BYTES * boxes.get(0).values().length);
+        for (int box = 0; box < boxes.size(); box++) {
+            texels.clear().asFloatBuffer().put(boxes.get(box).values());
+            columns.upload(2 * box + time, texels.clear());
+        }
+        MemoryUtil.memFree(texels);
     }
 
-    private String shapeDefine() {
-        return "SHEET_" + context.load().quality().skyplaneShape().name();
-    }
-
-    private static Void ownPlaces(Uniforms uniforms) {
-        uniforms.sampler("sheetColumns", TextureUnit.CLOUD_COLUMNS);
-        return null;
+    @Override
+    public void draw(CloudCanvas canvas) {
+        SheetUniforms uniforms = programs.use(canvas.pixels());
+        canvas.put(uniforms.cloud, placed);
+        lit.put(uniforms.cloud, canvas.view(), canvas.focus());
+        uniforms.sheet.set(canvas.view().eyeY(), lit.longestPathMetres());
+        columns.bind(TextureUnit.CLOUD_COLUMNS);
+        triangle.draw();
     }
 }

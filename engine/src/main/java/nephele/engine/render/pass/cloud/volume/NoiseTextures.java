@@ -17,6 +17,7 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import org.lwjgl.system.MemoryUtil;
 
 /** Noise with a profile as {@code cloud-noise.glsl} reads it: tables that repeat, and a plan of the cloud's bodies. */
@@ -32,24 +33,10 @@ final class NoiseTextures {
     record Places(
             Uniforms.Vector4 shapePlace,
             Uniforms.Vector4 detailPlace,
-            Uniforms.Vector3 shapeComing,
-            Uniforms.Vector3 detailComing,
-            Uniforms.Vector4 generations,
-            Uniforms.Scalar eroding) {
-        static Places of(Uniforms uniforms, boolean evolving) {
-            uniforms.sampler("shapeTable", TextureUnit.CLOUD_SHAPE);
-            uniforms.sampler("detailTable", TextureUnit.CLOUD_DETAIL);
-            uniforms.sampler("profileTable", TextureUnit.CLOUD_PROFILE);
-            uniforms.sampler("planTable", TextureUnit.CLOUD_PLAN);
-            return new Places(
-                    uniforms.vector4("shapePlace"),
-                    uniforms.vector4("detailPlace"),
-                    evolving ? uniforms.vector3("shapeComing") : null,
-                    evolving ? uniforms.vector3("detailComing") : null,
-                    evolving ? uniforms.vector4("generations") : null,
-                    uniforms.scalar("eroding"));
-        }
-    }
+            @IfRead Uniforms.Vector3 shapeComing,
+            @IfRead Uniforms.Vector3 detailComing,
+            @IfRead Uniforms.Vector4 generations,
+            Uniforms.Scalar eroding) {}
 
     NoiseTextures(LoadContext context, ProfiledNoise noise, int boxes) {
         shape = table(context, "cloud shape", noise.shape().table());
@@ -123,26 +110,19 @@ final class NoiseTextures {
         var noise = (ProfiledNoise) field.density();
         place(noise.shape(), eye.minus(field.origin()), places.shapePlace(), places.shapeComing());
         place(noise.detail(), eye.minus(field.origin()), places.detailPlace(), places.detailComing());
-        if (places.generations() != null) {
-            places.generations()
-                    .set(
-                            (float) noise.shape().weight(Generation.FADING),
-                            (float) noise.shape().weight(Generation.COMING),
-                            (float) noise.detail().weight(Generation.FADING),
-                            (float) noise.detail().weight(Generation.COMING));
-        }
-        places.eroding().set((float) noise.eroding());
+        places.generations.set(
+                noise.shape().weight(Generation.FADING),
+                noise.shape().weight(Generation.COMING),
+                noise.detail().weight(Generation.FADING),
+                noise.detail().weight(Generation.COMING));
+        places.eroding.set(noise.eroding());
     }
 
     private static void place(EvolvingNoise noise, Vec3 fromOrigin, Uniforms.Vector4 fading, Uniforms.Vector3 coming) {
         double period = noise.layout().periodMetres();
         Vec3 eye = fromOrigin.scaled(1 / period);
-        Vec3 first = fraction(eye.plus(noise.offset(Generation.FADING)));
-        fading.set((float) first.x(), (float) first.y(), (float) first.z(), (float) (1 / period));
-        if (coming != null) {
-            Vec3 second = fraction(eye.plus(noise.offset(Generation.COMING)));
-            coming.set((float) second.x(), (float) second.y(), (float) second.z());
-        }
+        fading.set(fraction(eye.plus(noise.offset(Generation.FADING))), 1 / period);
+        coming.set(fraction(eye.plus(noise.offset(Generation.COMING))));
     }
 
     private static Vec3 fraction(Vec3 v) {
