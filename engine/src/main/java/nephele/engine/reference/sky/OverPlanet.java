@@ -12,7 +12,6 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;

@@ -14,7 +14,6 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.ToneMapping;

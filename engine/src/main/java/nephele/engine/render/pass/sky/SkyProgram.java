@@ -6,7 +6,6 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.math.Vec3;

@@ -12,6 +12,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.Vector2;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainUniforms;
 
 /** The uniforms of a terrain's program. The program reads what the terrain, its layers and its light require. */
