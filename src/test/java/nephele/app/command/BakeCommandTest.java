@@ -21,7 +21,6 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;

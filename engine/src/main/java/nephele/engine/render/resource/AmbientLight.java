@@ -13,7 +13,6 @@ import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
-import nephele.engine.level.appearance.CelestialPositions;
 import nephele.engine.level.appearance.Moonlight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
@@ -89,7 +88,8 @@ public final class AmbientLight {
         Vector3d outside = sun.irradiance().toVector();
         return SkyIrradiance.of(
                 (height, x, y, z) -> smooth.radiance(x, y, z)
-                        .add(CelestialPositions.nightGlow(sky, towardsSun.y(), y).toVector())
+                        .add(CelestialPositions.nightGlow(sky, towardsSun.y(), y)
+                                .toVector())
                         .add(moonlit.radiance(x, y, z).mul(moonlight))
                         .mul(outside),
                 SMOOTH_CELLS);

@@ -1,17 +1,17 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
-import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.AssetSource;
-import java.util.function.Function;
-import java.util.Map;
-import java.util.HashMap;
 import java.lang.ref.WeakReference;
 import java.nio.ByteBuffer;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
@@ -32,8 +32,7 @@ public record PictureArrays(List<Texture> textures) {
 
     /** Normal maps; alpha multiplies roughness. */
     public static final SharedResource<PictureArrays> NORMALS = SharedResource.of(
-            "normal maps",
-            context -> of(context, context.scene().materials().normalArrays(), PixelFormat.RGBA8));
+            "normal maps", context -> of(context, context.scene().materials().normalArrays(), PixelFormat.RGBA8));
 
     /**
      * Decodes assets. Passes that are built one after another share a picture; it can be garbage-collected afterwards.

@@ -16,7 +16,6 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.RendererClouds;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 
