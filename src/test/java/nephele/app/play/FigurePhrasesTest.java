@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Map;
 import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
-import nephele.host.compare.TechniquePair;
-import nephele.host.draw.QualityChoice;
-import nephele.host.draw.QualityFront;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Language;
 import nephele.engine.render.RenderFeatures;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.host.compare.TechniquePair;
+import nephele.host.draw.QualityChoice;
+import nephele.host.draw.QualityFront;
 import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 

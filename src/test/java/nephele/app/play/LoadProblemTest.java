@@ -12,7 +12,8 @@ class LoadProblemTest {
     @Test
     void graphicsAndAssetsAreToldInOneLineAndABugIsNot() {
         assertEquals(Optional.of("too large"), Loading.problemLine(new GlException("too large\nby far")));
-        assertEquals(Optional.of("no float targets"), Loading.problemLine(new GlUnavailableException("no float targets")));
+        assertEquals(
+                Optional.of("no float targets"), Loading.problemLine(new GlUnavailableException("no float targets")));
         assertEquals(
                 Optional.of("a.png: is cut; mend it"),
                 Loading.problemLine(new AssetException("a.png", "is cut", "mend it")));

@@ -14,8 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Phase functions are normalised and sampled as they are distributed, up to the sharpest peaks. */
 class PhaseFunctionTest {
     static Stream<PhaseFunction> phases() {
-        return Stream.of(-0.999, -0.5, 0.0, 1e-12, 0.3, 0.85, 0.99, 0.999)
-                .map(HenyeyGreenstein::new);
+        return Stream.of(-0.999, -0.5, 0.0, 1e-12, 0.3, 0.85, 0.99, 0.999).map(HenyeyGreenstein::new);
     }
 
     /** Integrates over separations on steps that grow away from both ends: dω = π d|d − l|². */

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.asset.TestAssets;
-import nephele.host.draw.IdLevel;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
@@ -18,6 +17,7 @@ import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
 import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,7 +102,8 @@ class BillboardShapeTest {
                     traced.sight(new Pinhole(EYE, new Basis(view.right(), view.up(), view.back()), 1, 1, 0.05, 1000)));
             double drawn = mean(offscreen.radiance(level, assets, view), within);
             var settings = new TraceSettings(SIZE, SIZE, 4, 1, 2);
-            double exact = mean(ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, done -> {}), within);
+            double exact =
+                    mean(ReferencePicture.trace(traced, TracedPictures.pinhole(view), settings, done -> {}), within);
             assertEquals(exact, drawn, 0.2 * exact + 0.004);
         }
     }

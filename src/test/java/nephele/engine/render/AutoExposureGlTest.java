@@ -12,9 +12,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -76,7 +76,8 @@ class AutoExposureGlTest {
         Quality quality = Quality.HIGH.with("portalTechnique", technique).with("samples", samples);
         RenderSettings settings = RenderSettings.of(Output.HDR, quality).with(Decoration.OFF);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = LevelRenderer.load(offscreen.gl, withPortal().level(), TestAssets.NONE, settings)) {
+                Renderer renderer =
+                        LevelRenderer.load(offscreen.gl, withPortal().level(), TestAssets.NONE, settings)) {
             double metered = draw(offscreen, renderer, TO_WALL, 0);
             float[] rgb = renderer.readRadiance();
             double twin = AutoExposure.stops(LuminanceHistogram.of(rgb, WIDTH), AutoExposure.MOST_STOPS);

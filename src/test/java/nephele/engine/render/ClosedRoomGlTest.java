@@ -2,10 +2,10 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;

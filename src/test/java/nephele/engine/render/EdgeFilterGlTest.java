@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
@@ -119,8 +119,8 @@ class EdgeFilterGlTest {
     @ValueSource(ints = {1, 7, 64})
     void everySizeIsDrawnTheSameAgain(int size) {
         try (var offscreen = new Offscreen(size, size);
-                var renderer =
-                        LevelRenderer.load(offscreen.gl, square(), TestAssets.NONE, settings(EdgeFilter.MORPHOLOGICAL))) {
+                var renderer = LevelRenderer.load(
+                        offscreen.gl, square(), TestAssets.NONE, settings(EdgeFilter.MORPHOLOGICAL))) {
             renderer.draw(turned(20), offscreen.picture);
             int[] first = offscreen.pixels();
             assertTrue(Offscreen.red(first[size / 2 * size + size / 2]) > 40);

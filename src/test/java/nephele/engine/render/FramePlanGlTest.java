@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -61,7 +61,8 @@ class FramePlanGlTest {
                 // Every tenth level has all features: compilation of their shaders takes most of the time.
                 TestLevel level = i % 10 == 0 ? everything() : plain();
                 RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
-                LevelRenderer.load(offscreen.gl, level.level(), tiles(), settings).close();
+                LevelRenderer.load(offscreen.gl, level.level(), tiles(), settings)
+                        .close();
             }
             assertEquals(before, offscreen.gl.live().counts());
         }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.lwjgl.opengl.GL41C.glIsProgram;
 
-import nephele.engine.choice.LevelRenderer;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,6 +11,7 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.json.LevelFile;

@@ -1,7 +1,7 @@
 package nephele.engine.render;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;

@@ -2,10 +2,10 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;

@@ -100,7 +100,9 @@ class ModelTwinGlTest {
             TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, ASSETS), ColourDecoding.SRGB);
             int samples = level.environment().ambient() == null ? 48 : 1;
             TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-            return new float[][] {drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {})};
+            return new float[][] {
+                drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {})
+            };
         }
     }
 }

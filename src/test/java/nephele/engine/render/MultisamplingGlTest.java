@@ -7,10 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.TestLevel;
@@ -114,7 +114,8 @@ class MultisamplingGlTest {
     }
 
     private static float[] radiance(Offscreen offscreen, Level level, View view, int samples) {
-        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.HDR, samples))) {
+        try (Renderer renderer =
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.HDR, samples))) {
             renderer.draw(view, offscreen.picture);
             return renderer.readRadiance();
         }
@@ -156,7 +157,8 @@ class MultisamplingGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             var before = offscreen.gl.live().counts();
             for (Output output : Output.values()) {
-                try (Renderer renderer = LevelRenderer.load(offscreen.gl, square(), TestAssets.NONE, settings(output, 4));
+                try (Renderer renderer =
+                                LevelRenderer.load(offscreen.gl, square(), TestAssets.NONE, settings(output, 4));
                         RenderTarget other = RenderTarget.picture(offscreen.gl, "other", PixelFormat.RGBA8, 32, 16)) {
                     renderer.draw(slanted(), other);
                     renderer.draw(slanted(), offscreen.picture);

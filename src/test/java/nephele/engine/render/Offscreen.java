@@ -1,11 +1,11 @@
 package nephele.engine.render;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;

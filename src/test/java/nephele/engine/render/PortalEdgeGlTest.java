@@ -3,10 +3,10 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Set;
 import java.util.TreeSet;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
@@ -52,7 +52,8 @@ class PortalEdgeGlTest {
         RenderSettings plain = RenderSettings.of(Output.PLAIN).with(Decoration.OFF);
         try (Offscreen offscreen = new Offscreen(96, 54)) {
             for (double overlap : new double[] {0, 1e-6, -1e-7}) {
-                try (Renderer renderer = LevelRenderer.load(offscreen.gl, edgeToEdge(overlap), TestAssets.NONE, plain)) {
+                try (Renderer renderer =
+                        LevelRenderer.load(offscreen.gl, edgeToEdge(overlap), TestAssets.NONE, plain)) {
                     for (int i = 0; i < 60; i++) {
                         Vec3 eye = new Vec3(0.013 * i - 0.4, 0.007 * i - 0.2, 0.3 + 0.01 * i);
                         renderer.draw(offscreen.view(eye, new Vec3(0.002 * i, 0, -1)), offscreen.picture);

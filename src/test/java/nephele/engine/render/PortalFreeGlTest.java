@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
@@ -47,8 +47,8 @@ class PortalFreeGlTest {
 
     private static List<String> words(Level level, List<RenderFeature> features, Output output) {
         try (Offscreen offscreen = new Offscreen(32, 18);
-                Renderer renderer =
-                        LevelRenderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings(output), features)) {
+                Renderer renderer = LevelRenderer.load(
+                        offscreen.gl, Scene.of(level, TestAssets.NONE), settings(output), features)) {
             View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
             try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
                 return frame.words();

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;

@@ -2,9 +2,9 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Random;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;

@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
@@ -116,7 +116,8 @@ class SharedSceneGlTest {
             for (int i = 0; i < fresh.size(); i++) {
                 drawn(offscreen, renderer, FrameState.atStart(renderer.scene().level()));
                 placed = placed.edited(edits.get(i));
-                renderer = LevelRenderer.edited(renderer, renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
+                renderer = LevelRenderer.edited(
+                        renderer, renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
                 assertArrayEquals(
                         fresh.get(i), drawn(offscreen, renderer, FrameState.atStart(edits.get(i))), "edit " + i);
             }

@@ -11,10 +11,10 @@ import static nephele.engine.render.MeteredFrames.stops;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -42,8 +42,8 @@ class UnmeteredValuesGlTest {
             TestLevel level = new TestLevel().autoExposure().sky(new Sky.Constant(TestLevel.grey(light)));
             try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                     Renderer veiled = load(offscreen, level.exit(exit).level());
-                    Renderer renderer =
-                            LevelRenderer.load(offscreen.gl, level.level(), TestAssets.NONE, HDR.with(Decoration.OFF))) {
+                    Renderer renderer = LevelRenderer.load(
+                            offscreen.gl, level.level(), TestAssets.NONE, HDR.with(Decoration.OFF))) {
                 double metered = draw(offscreen, renderer, TO_WALL, 0);
                 assertEquals(metered, draw(offscreen, veiled, TO_WALL, 0), 1e-3, "nor does its veil");
                 float[] even = {(float) light, (float) light, (float) light};

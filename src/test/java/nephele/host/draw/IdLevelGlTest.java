@@ -3,12 +3,11 @@ package nephele.host.draw;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;

@@ -2,9 +2,9 @@ package nephele.lab.bench;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.RenderSettings;

@@ -1,13 +1,12 @@
 package nephele.app.command;
 
-import java.util.Comparator;
-import java.util.Optional;
-import java.util.stream.Stream;
-import picocli.CommandLine.Option;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import nephele.engine.asset.FileName;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Output;
@@ -16,6 +15,7 @@ import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -173,7 +173,9 @@ public final class CommandLineFront {
 
     /** Returns a question that ends a message about an unknown word; empty if no known word is near. */
     private static String didYouMean(String typed, Stream<String> known) {
-        return nearest(typed, known).map(word -> "; did you mean `" + word + "`?").orElse("");
+        return nearest(typed, known)
+                .map(word -> "; did you mean `" + word + "`?")
+                .orElse("");
     }
 
     /** Returns the edit distance of Levenshtein (1966): the least number of letters to insert, remove or replace. */

@@ -11,11 +11,11 @@ import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.QualityMemory;
 import nephele.app.settings.Settings;
-import nephele.host.draw.QualityController;
-import nephele.host.draw.QualityFront;
 import nephele.engine.level.Language;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GpuLimits;
+import nephele.host.draw.QualityController;
+import nephele.host.draw.QualityFront;
 
 /** The quality that holds the player's frame rate while quality is automatic. */
 final class AutoQuality {

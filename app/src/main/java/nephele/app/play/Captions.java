@@ -3,14 +3,14 @@ package nephele.app.play;
 import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.GoalMark;
+import nephele.app.play.hud.HudContent.Banner;
+import nephele.app.settings.Phrase;
 import nephele.engine.level.Exit;
+import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.Place;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
-import nephele.app.play.hud.HudContent.Banner;
-import nephele.app.settings.Phrase;
-import nephele.engine.level.Language;
 import nephele.host.named.LevelName;
 import nephele.host.named.LevelTitles;
 

@@ -3,12 +3,12 @@ package nephele.app.play;
 import java.util.Locale;
 import nephele.app.play.hud.HudContent;
 import nephele.app.settings.Phrase;
+import nephele.engine.level.Language;
 import nephele.host.compare.CloudComparison;
 import nephele.host.compare.ComparisonFigures;
 import nephele.host.compare.PictureDifference;
 import nephele.host.compare.TechniquePair;
 import nephele.host.compare.Wipe;
-import nephele.engine.level.Language;
 
 /** The figures of a comparison in words; made again only when they change. */
 public final class ComparisonTexts {

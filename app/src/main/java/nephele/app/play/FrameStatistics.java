@@ -7,11 +7,11 @@ import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.Phrase;
 import nephele.engine.level.Language;
 import nephele.engine.measure.Stopwatch;
-import nephele.host.playthrough.Playthrough;
-import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.timing.StepTimer;
+import nephele.host.playthrough.Playthrough;
 
 /**
  * The figures of the F3 panel, averaged over a quarter of a second so that they are readable; nothing is timed while the panel is

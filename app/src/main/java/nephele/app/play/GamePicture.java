@@ -1,15 +1,12 @@
 package nephele.app.play;
 
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import nephele.app.play.hud.HudContent.Keys;
-import nephele.engine.level.Level.Observer.Bounds;
-import nephele.host.playthrough.Playthrough;
-import nephele.engine.scene.FrameState.ObserverSphere;
-import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
+import nephele.app.play.hud.HudContent.Keys;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Phrase;
@@ -19,8 +16,11 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
+import nephele.engine.level.Level.Observer.Bounds;
+import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.sim.state.TickEvent;
 import nephele.host.named.LevelTitles;
+import nephele.host.playthrough.Playthrough;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {

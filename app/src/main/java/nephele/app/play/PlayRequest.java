@@ -112,9 +112,7 @@ public record PlayRequest(
 
     /** Returns the simulation's settings: those of the command line, else the player's. */
     SimSettings settings() {
-        return simulation != null
-                ? simulation
-                : player.files().settings().simulation();
+        return simulation != null ? simulation : player.files().settings().simulation();
     }
 
     /** Returns the quality of the command line, else the player's. */

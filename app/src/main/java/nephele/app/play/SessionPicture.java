@@ -1,7 +1,7 @@
 package nephele.app.play;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Optional;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
@@ -47,7 +47,8 @@ final class SessionPicture implements AutoCloseable {
                 .with(CharacterPresence.POSSIBLE);
         if (request.compared() == null) {
             return new SessionPicture(
-                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)), null);
+                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)),
+                    null);
         }
         requireClouds(request, prepared.scene());
         ComparedScenes scenes = ComparedScenes.ofAllClouds(prepared.scene(), request.compared());

@@ -1,17 +1,17 @@
 package nephele.app.settings;
 
-import java.util.List;
-import nephele.app.settings.Settings.Switch;
-import nephele.host.draw.QualityChoice;
-import nephele.engine.level.appearance.FlashStyle;
-import nephele.host.playthrough.PictureMotion;
-import nephele.engine.sim.state.Assist;
-import nephele.engine.sim.state.SimSettings;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import nephele.app.settings.Settings.Switch;
+import nephele.engine.level.appearance.FlashStyle;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.SimSettings;
+import nephele.host.draw.QualityChoice;
+import nephele.host.playthrough.PictureMotion;
 
 /**
  * The values of all settings, and what they mean for the parts of the game; immutable. Entries that are unknown or broken count as absent and stay in the file.

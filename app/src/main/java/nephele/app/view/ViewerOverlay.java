@@ -1,9 +1,9 @@
 package nephele.app.view;
 
 import java.util.List;
+import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudPalette;
 import nephele.app.settings.Phrase;
-import nephele.app.play.hud.Area;
 import nephele.app.window.GameWindow;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;

@@ -1,13 +1,11 @@
 package nephele.engine.render;
 
-import nephele.engine.render.resource.AerialPerspective;
-import nephele.engine.render.resource.ShaftTables;
-import nephele.engine.render.frame.SharedResource;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.pass.billboard.BillboardPass;
-import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.CloudDrawing;
+import nephele.engine.render.pass.cloud.CloudPass;
 import nephele.engine.render.pass.cloud.billboard.BillboardTechnique;
 import nephele.engine.render.pass.cloud.particle.ParticleTechnique;
 import nephele.engine.render.pass.cloud.procedural.ProceduralTechnique;
@@ -41,6 +39,8 @@ import nephele.engine.render.pass.solid.SolidPass;
 import nephele.engine.render.pass.terrain.TerrainPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 import nephele.engine.render.pass.upscale.UpscalePass;
+import nephele.engine.render.resource.AerialPerspective;
+import nephele.engine.render.resource.ShaftTables;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {

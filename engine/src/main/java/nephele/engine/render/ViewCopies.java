@@ -1,13 +1,13 @@
 package nephele.engine.render;
 
-import java.util.Set;
-import nephele.engine.render.gl.Texture;
 import java.util.Map;
+import java.util.Set;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Texture;
 
 /**
  * Copies of a view's depth and colours for the passes after its opaque surfaces. All views of one size share a copy in

@@ -1,11 +1,11 @@
 package nephele.lab.generate;
 
-import java.util.function.Function;
-import org.joml.Vector3dc;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import nephele.lab.generate.PlantKind.Family;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** Trees and bushes whose crowns are lobes of leaves on a branching structure: oak, birch, cypress, bush. */
 final class LeafyPlants {

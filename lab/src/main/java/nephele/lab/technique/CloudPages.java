@@ -1,17 +1,17 @@
 package nephele.lab.technique;
 
-import java.util.List;
-import java.util.function.ToDoubleFunction;
-import java.util.stream.Collectors;
-import nephele.engine.choice.ErrorTable.Row;
-import nephele.lab.trade.Numbers;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.choice.ErrorTable;
+import nephele.engine.choice.ErrorTable.Row;
 import nephele.engine.level.CloudTechnique;
+import nephele.lab.trade.Numbers;
 
 /** The pages of the report on clouds besides its subjects: the section with which it opens, and one about each technique. */
 public final class CloudPages {

@@ -1,28 +1,27 @@
 package nephele.lab.technique;
 
-import nephele.engine.choice.LevelRenderer;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import nephele.host.draw.Outputs;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Hash64;
-import nephele.host.named.LevelName;
-import nephele.host.named.OpenedLevel;
 import nephele.engine.render.Capture;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.lab.trade.Provenance;
+import nephele.host.draw.Outputs;
+import nephele.host.named.LevelName;
+import nephele.host.named.OpenedLevel;
 import nephele.lab.trade.Pictures;
+import nephele.lab.trade.Provenance;
 
 /** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
 final class PagePictures implements HandoutPage.Source, AutoCloseable {

@@ -201,7 +201,8 @@ final class CostErrorPlot {
         String box = n(width) + " " + n(height);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + box
                 + "\" role=\"img\">\n<title>"
-                + HtmlDocument.text(title) + "</title>\n" + (style.isEmpty() ? "" : "<style>\n" + style + "</style>\n") + svg
+                + HtmlDocument.text(title) + "</title>\n" + (style.isEmpty() ? "" : "<style>\n" + style + "</style>\n")
+                + svg
                 + "</svg>\n";
     }
 }

@@ -1,16 +1,16 @@
 package nephele.lab.trade;
 
 import java.io.File;
-import java.io.UncheckedIOException;
-import java.util.Arrays;
-import java.util.stream.Stream;
-import nephele.engine.math.Hash64;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import nephele.engine.math.Hash64;
 
 /** The commit of the checkout in the working directory, and a description of the machine without host or user names. */
 public final class Provenance {

@@ -1,19 +1,20 @@
 package nephele.lab.trade;
 
-import java.util.ArrayList;
-import java.util.Locale;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import nephele.engine.asset.AtomicFile;
 
 /** Writes all files of a report. */
 public final class Report {
     /** The most figures that a subject has. */
     private static final int CSV_FIGURES = 7;
+
     static final String CSV_HEADER =
             "subject,setting,usual,recommended,dominatedBy,errorName,errorUnit,error,costName,costUnit,"
                 + "cost,costLow,costHigh,ratioToUsual,ratioLow,ratioHigh,wallMs,wallMsLow,wallMsHigh,allocatedBytes,rounds,"

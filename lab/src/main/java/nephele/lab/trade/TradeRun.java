@@ -64,9 +64,11 @@ public final class TradeRun {
 
     /** Returns everything besides the subject that results depend on: results under another key do not count. */
     private String key(Trade trade) {
-        String elsewhere = trade.level() == null ? "" : " " + TracedPictures.levelHash(new LevelName(trade.level()).open());
-        return "code " + Provenance.codeHash() + "; level " + TracedPictures.levelHash(opened) + elsewhere + "; " + seen.camera() + "; "
-                + request.extent() + "; slice " + request.sliceSeconds() + "; " + Provenance.machine();
+        String elsewhere =
+                trade.level() == null ? "" : " " + TracedPictures.levelHash(new LevelName(trade.level()).open());
+        return "code " + Provenance.codeHash() + "; level " + TracedPictures.levelHash(opened) + elsewhere + "; "
+                + seen.camera() + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; "
+                + Provenance.machine();
     }
 
     private SubjectState measured(Trade trade, TradeSite site, Path partial) throws IOException {

@@ -18,8 +18,8 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.scenes.fixed.FixedSceneDrawing.Source;
 import nephele.scenes.fixed.ModelOrder.Handedness;
@@ -117,8 +117,7 @@ final class SceneOnGpu implements AutoCloseable {
             put(vertices, from.normals(), 3 * v, 3);
             put(vertices, from.textureCoordinates(), 2 * v, 2);
         }
-        IntBuffer triangles =
-                BufferUtils.createIntBuffer(from.indices().length).put(from.indices());
+        IntBuffer triangles = BufferUtils.createIntBuffer(from.indices().length).put(from.indices());
         return new GpuMesh(gl, "model", FORMAT, vertices.flip(), triangles.flip());
     }
 

@@ -1,12 +1,12 @@
 package nephele.scenes.xml;
 
-import nephele.engine.asset.TextFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.regex.Pattern;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.TextFile;
 import nephele.engine.model.ModelFileException;
 import nephele.scenes.xml.XmlScene.XmlWarning;
 

@@ -1,8 +1,8 @@
 package nephele.scenes.xml;
 
-import java.util.Map;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Splits a text into tags. It tolerates values without quotes, text and stray signs if the rest stays readable. It

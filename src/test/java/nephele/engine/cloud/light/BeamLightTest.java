@@ -1,10 +1,10 @@
 package nephele.engine.cloud.light;
 
-import nephele.engine.render.frame.Quality.PuffLight;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.render.frame.Quality.PuffLight;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -66,7 +66,9 @@ class CelestialPositionsTest {
         Atmosphere tomorrow = CelestialPositions.later(sky, 600);
         assertEquals(1, CelestialPositions.days(sky, 600), 1e-4);
         Vec3 today = CelestialPositions.towardsSun(sky);
-        assertTrue(Math.toDegrees(CelestialPositions.towardsSun(tomorrow).minus(today).length()) < 0.5);
+        assertTrue(Math.toDegrees(
+                        CelestialPositions.towardsSun(tomorrow).minus(today).length())
+                < 0.5);
         double moved = CelestialPositions.towardsMoon(tomorrow).dot(CelestialPositions.towardsMoon(sky));
         assertEquals(12.2, Math.toDegrees(Math.acos(moved)), 2);
     }

@@ -3,8 +3,8 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;

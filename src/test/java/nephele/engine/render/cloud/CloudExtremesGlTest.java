@@ -3,11 +3,11 @@ package nephele.engine.render.cloud;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;

@@ -2,9 +2,9 @@ package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.stream.Stream;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.cloud.cells.CellMarch;
 import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.drawn.CloudTimeline;

@@ -2,9 +2,8 @@ package nephele.engine.render.cloud;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
-import nephele.engine.render.frame.Quality.SkyplaneShape;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
@@ -16,6 +15,7 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.SkyplaneShape;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,8 +44,8 @@ class CurvedMeshGlTest {
         Quality quality =
                 Quality.ULTRA.with("samples", 1).with("cloudLightCell", 8).with("skyplaneShape", SkyplaneShape.CURVED);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer =
-                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                Renderer renderer = LevelRenderer.load(
+                        offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             var mesh = new CurvedMesh(1000);
             for (double rise : new double[] {-0.2, 0.5, 3}) {
                 View view = offscreen.view(Vec3.ZERO, new Vec3(0.1, rise, -1));

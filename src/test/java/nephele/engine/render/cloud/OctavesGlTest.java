@@ -65,8 +65,9 @@ class OctavesGlTest {
             inputs[4 * i + 1] = (float) random.nextDouble(-9000, 9000);
             inputs[4 * i + 2] = 1e6f;
         }
-        float[] results = TwinProgram.run(gl, shader, inputs, COUNT, uniforms -> uniforms.record(ProceduralTechnique.Octaves.class)
-                .put(sheet, eye, seconds));
+        float[] results = TwinProgram.run(
+                gl, shader, inputs, COUNT, uniforms -> uniforms.record(ProceduralTechnique.Octaves.class)
+                        .put(sheet, eye, seconds));
         double mean = 0;
         for (int i = 0; i < COUNT; i++) {
             double x = eye.x() + inputs[4 * i];

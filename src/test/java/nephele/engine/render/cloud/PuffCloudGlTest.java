@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.cloud.field.PuffsField;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -316,8 +316,8 @@ class PuffCloudGlTest {
         Level level = under(0.3, 4, cloud(one, 0.1, 1, CloudTechnique.BILLBOARD));
         var quality = Quality.HIGH.with("billboardFacing", facing).with("cloudResolution", 1);
         try (var tiny = RenderTarget.picture(offscreen.gl, "tiny", PixelFormat.RGBA8, 3, 3);
-                Renderer renderer =
-                        LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
+                Renderer renderer = LevelRenderer.load(
+                        offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR, quality))) {
             for (int n = 0; n < 3600; n++) {
                 double y = n < 2 ? 1 - 2 * n : 1 - (n - 1.5) / 1799;
                 double horizontal = Math.sqrt(1 - y * y);

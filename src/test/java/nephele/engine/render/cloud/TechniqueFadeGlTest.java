@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.ChosenTechniques;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;

@@ -1,20 +1,14 @@
 package nephele.workshop.art;
 
-import java.util.List;
-import nephele.engine.model.file.MeshText;
-import nephele.lab.generate.PlantKind;
-import nephele.lab.generate.PlantKinds;
-import nephele.lab.generate.PlantPaint;
-import nephele.workshop.art.paint.ColourRamp;
-import nephele.workshop.art.paint.Pixels;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -23,12 +17,18 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.model.file.MeshText;
+import nephele.lab.generate.PlantKind;
+import nephele.lab.generate.PlantKinds;
+import nephele.lab.generate.PlantPaint;
 import nephele.lab.generate.TerrainGenerator;
 import nephele.workshop.art.bench.BenchLevels;
 import nephele.workshop.art.bench.BenchPixels;
 import nephele.workshop.art.bench.BenchTerrain;
 import nephele.workshop.art.material.TextureRecipe;
 import nephele.workshop.art.material.Textures;
+import nephele.workshop.art.paint.ColourRamp;
+import nephele.workshop.art.paint.Pixels;
 import nephele.workshop.art.paint.Surface;
 import nephele.workshop.art.picture.PictureRecipe;
 import nephele.workshop.art.picture.ScenePictures;
@@ -42,7 +42,9 @@ import nephele.workshop.art.sprite.SpritePictures;
 public final class ArtFiles {
     /** The meshes' folder below {@code assets/}. */
     public static final String PLANT_FOLDER = "models/plants";
-    public static final List<PictureRecipe> PLANT_PICTURES = List.of(new PictureRecipe(PlantPaint.FILE, ArtFiles::plantPalette));
+
+    public static final List<PictureRecipe> PLANT_PICTURES =
+            List.of(new PictureRecipe(PlantPaint.FILE, ArtFiles::plantPalette));
     private static final long PLANT_SEED = 1;
     private static final int PALETTE_TEXELS = 128;
 

@@ -1,19 +1,19 @@
 package nephele.workshop.prove;
 
+import java.io.IOException;
+import java.io.PrintStream;
 import java.io.StringReader;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
-import nephele.workshop.prove.proof.Figure;
-import java.io.IOException;
-import java.io.PrintStream;
-import java.nio.file.Path;
 import nephele.engine.reference.tile.Shard;
+import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 

@@ -47,8 +47,7 @@ public final class ProofTable {
         rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
         rows.add(row(proof, result, found));
         var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
-        rows.sort(Comparator.comparingInt(ProofTable::rank)
-                .thenComparingInt(row -> place(order.indexOf(nameOf(row)))));
+        rows.sort(Comparator.comparingInt(ProofTable::rank).thenComparingInt(row -> place(order.indexOf(nameOf(row)))));
         AtomicFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
     }
 

@@ -1,11 +1,11 @@
 package nephele.engine.cloud.cells;
 
-import nephele.engine.math.Aabb;
 import java.util.List;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 

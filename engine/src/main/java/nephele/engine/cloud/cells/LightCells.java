@@ -1,14 +1,14 @@
 package nephele.engine.cloud.cells;
 
-import nephele.engine.math.bvh.SpatialIndex;
-import nephele.engine.math.Aabb;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.cloud.cells.ShadingCloud.Towards;
 import nephele.engine.cloud.light.AxisDepths;
 import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /** The light at the centres of cells of a cloud, for one direction of the sun. Immutable. */
 public final class LightCells {
@@ -185,7 +185,8 @@ public final class LightCells {
             blocksY = blocks(cells.ny());
             int count = blocksX * blocksY * blocks(cells.nz());
             near = new int[Towards.values().length][count][];
-            var index = SpatialIndex.of(others.stream().map(ShadingCloud::bounds).toList());
+            var index =
+                    SpatialIndex.of(others.stream().map(ShadingCloud::bounds).toList());
             for (Towards towards : Towards.values()) {
                 Vec3 direction = towards.direction(light);
                 for (int block = 0; block < count; block++) {

@@ -1,12 +1,12 @@
 package nephele.engine.cloud.cells;
 
-import java.util.stream.IntStream;
-import nephele.engine.math.bvh.SpatialIndex;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /** A cloud that shades others. Equal ones shade alike. */
 public final class ShadingCloud {

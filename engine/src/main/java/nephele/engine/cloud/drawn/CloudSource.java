@@ -328,7 +328,8 @@ public final class CloudSource {
 
         @Override
         public double leastDepth(double fromY, double toY) {
-            return noise.leastDepth(fromY - field.origin().y(), toY - field.origin().y());
+            return noise.leastDepth(
+                    fromY - field.origin().y(), toY - field.origin().y());
         }
 
         @Override

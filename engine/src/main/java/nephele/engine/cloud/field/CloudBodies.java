@@ -1,7 +1,7 @@
 package nephele.engine.cloud.field;
 
-import nephele.engine.math.Aabb;
 import nephele.engine.cloud.noise.EvolvingNoise;
+import nephele.engine.math.Aabb;
 
 /**
  * The plan of a cloud cover: how deep a column is inside of a cloud's body. With the noises b and c of bodies and

@@ -1,6 +1,5 @@
 package nephele.engine.cloud.field;
 
-import nephele.engine.cloud.light.CloudOptics;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -10,6 +9,7 @@ import java.util.stream.IntStream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;

@@ -1,9 +1,9 @@
 package nephele.engine.cloud.light;
 
-import nephele.engine.math.Vec3;
-import nephele.engine.math.Aabb;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.TwoStreamSlab;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.work.SwingThread;
 
 /**

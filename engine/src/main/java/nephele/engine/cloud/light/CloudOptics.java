@@ -1,9 +1,9 @@
 package nephele.engine.cloud.light;
 
-import nephele.engine.cloud.PhaseFunction;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.cloud.PhaseFunction;
 import nephele.engine.level.Cloud;
 
 /**

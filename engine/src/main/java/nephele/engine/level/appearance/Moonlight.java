@@ -36,7 +36,8 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
 
     /** Returns the sine of the moon's elevation some simulated seconds after an instant. */
     public static double sineAfter(Atmosphere sky, double seconds) {
-        return CelestialPositions.towardsMoon(CelestialPositions.later(sky, seconds)).y();
+        return CelestialPositions.towardsMoon(CelestialPositions.later(sky, seconds))
+                .y();
     }
 
     private static double fade(double sunSine) {

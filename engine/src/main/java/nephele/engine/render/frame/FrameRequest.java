@@ -1,8 +1,8 @@
 package nephele.engine.render.frame;
 
-import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;

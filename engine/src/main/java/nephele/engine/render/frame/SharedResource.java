@@ -13,10 +13,7 @@ import nephele.engine.scene.View;
  * @param setView prepares it for the draws of a view; {@code null} for what is the same in all views
  */
 public record SharedResource<T>(
-        String name,
-        Function<LoadContext, T> make,
-        BiConsumer<T, FrameContext> follow,
-        BiConsumer<T, View> setView) {
+        String name, Function<LoadContext, T> make, BiConsumer<T, FrameContext> follow, BiConsumer<T, View> setView) {
 
     /** Returns an object that stays the same in all frames. */
     public static <T> SharedResource<T> of(String name, Function<LoadContext, T> make) {

@@ -18,7 +18,6 @@ import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.shader.TextureUnit;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.Scene;
 import org.lwjgl.system.MemoryUtil;
 

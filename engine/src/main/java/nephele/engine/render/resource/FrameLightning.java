@@ -1,13 +1,13 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.level.Environment;
-import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SharedResource;
 import java.nio.FloatBuffer;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Environment.Lightning;
 import nephele.engine.lightning.Bolt;
 import nephele.engine.lightning.LevelLightning;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -17,9 +17,8 @@ import org.lwjgl.system.MemoryUtil;
 
 /** The lightning of a level at the time of the frame, with the points of its bolt on the GPU. */
 public final class FrameLightning implements GlObject {
-    public static final SharedResource<FrameLightning> RESOURCE =
-            SharedResource.of("lightning", FrameLightning::of)
-                    .following((lightning, frame) -> lightning.follow(frame.frameState()));
+    public static final SharedResource<FrameLightning> RESOURCE = SharedResource.of("lightning", FrameLightning::of)
+            .following((lightning, frame) -> lightning.follow(frame.frameState()));
 
     /** Place on the main channel from which surfaces are lit as if all light came from there. */
     private static final double MIDDLE = 0.4;
@@ -39,7 +38,9 @@ public final class FrameLightning implements GlObject {
 
     private static FrameLightning of(LoadContext context) {
         Environment environment = context.scene().level().environment();
-        return environment.hasLightning() ? context.own(new FrameLightning(context.gl(), environment.lightning())) : null;
+        return environment.hasLightning()
+                ? context.own(new FrameLightning(context.gl(), environment.lightning()))
+                : null;
     }
 
     /** Takes the time of a frame. */

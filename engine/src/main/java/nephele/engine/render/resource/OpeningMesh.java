@@ -1,7 +1,7 @@
 package nephele.engine.render.resource;
 
-import nephele.engine.render.frame.SharedResource;
 import java.util.Arrays;
+import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;

@@ -2,8 +2,6 @@ package nephele.engine.render.resource;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.atmosphere.AirTables;
-import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -30,9 +28,6 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
-import nephele.engine.scene.light.SkyIrradiance;
-import nephele.engine.scene.light.SkyProbes;
-import org.joml.Vector3d;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.

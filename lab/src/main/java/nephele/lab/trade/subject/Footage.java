@@ -1,7 +1,6 @@
 package nephele.lab.trade.subject;
 
 import java.nio.ByteBuffer;
-import nephele.engine.render.frame.ToneMapping;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
@@ -10,6 +9,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;

@@ -1,13 +1,13 @@
 package nephele.lab.trade.subject;
 
 import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.ShotRay;
-import java.util.List;
 import nephele.lab.placement.RandomWall;
 import nephele.lab.placement.RectangleQuestion;
 import nephele.lab.placement.WallShot;

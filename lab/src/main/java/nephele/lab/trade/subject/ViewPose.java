@@ -1,8 +1,8 @@
 package nephele.lab.trade.subject;
 
-import nephele.engine.portal.Portal;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.sim.player.PlayerPose;
 

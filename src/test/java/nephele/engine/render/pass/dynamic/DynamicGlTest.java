@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
@@ -63,7 +63,8 @@ class DynamicGlTest {
             assertTrue(covered(solid) > 200);
             assertEquals(0, unlike(solid, body));
             Level elsewhere = white().cube("white", new Vec3(50, 0, 0), 1).level();
-            try (Renderer renderer = LevelRenderer.load(offscreen.gl, elsewhere, TestAssets.NONE, settings(Output.PLAIN))) {
+            try (Renderer renderer =
+                    LevelRenderer.load(offscreen.gl, elsewhere, TestAssets.NONE, settings(Output.PLAIN))) {
                 FrameState frameState = FrameState.atStart(elsewhere);
                 frameState.body(0, at.toVector(), new Quaterniond().rotationY(Math.PI / 2));
                 renderer.draw(view, frameState, offscreen.picture);

@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;

@@ -3,9 +3,9 @@ package nephele.engine.render.pass.impostor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Arrays;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;

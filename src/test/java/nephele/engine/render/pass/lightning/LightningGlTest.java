@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment.Lightning;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
@@ -53,7 +53,8 @@ class LightningGlTest {
     }
 
     private float[] radiance(Level level, View view, double seconds, RenderTarget picture) {
-        try (Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
+        try (Renderer renderer =
+                LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.HDR))) {
             FrameState state = FrameState.atStart(level);
             state.seconds(seconds);
             renderer.draw(view, state, picture);

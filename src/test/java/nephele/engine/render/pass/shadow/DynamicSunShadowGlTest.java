@@ -3,8 +3,8 @@ package nephele.engine.render.pass.shadow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;

@@ -2,8 +2,8 @@ package nephele.engine.render.pass.shadow;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;

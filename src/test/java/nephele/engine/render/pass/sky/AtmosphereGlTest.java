@@ -3,12 +3,12 @@ package nephele.engine.render.pass.sky;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.atmosphere.AtmosphereRow;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;

@@ -3,10 +3,10 @@ package nephele.engine.render.pass.sky;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.function.BiFunction;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;

@@ -2,11 +2,11 @@ package nephele.engine.render.pass.sky;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;

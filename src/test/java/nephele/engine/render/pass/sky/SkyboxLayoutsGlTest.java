@@ -2,12 +2,12 @@ package nephele.engine.render.pass.sky;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.TestLevel;

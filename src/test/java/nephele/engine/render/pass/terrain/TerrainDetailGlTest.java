@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
@@ -12,6 +11,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Terrain;
@@ -159,7 +159,8 @@ class TerrainDetailGlTest {
     void theBareTwinDrawsTheSamePictures(TerrainDetail detail) {
         Level level = on(new TestLevel().ambient(0.5).sun(new Vec3(0.4, 0.7, 0.5), 2), 200);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
-                Renderer renderer = LevelRenderer.load(offscreen.gl, level, map(200), settings(Output.DIRECT, detail, 1))) {
+                Renderer renderer =
+                        LevelRenderer.load(offscreen.gl, level, map(200), settings(Output.DIRECT, detail, 1))) {
             List<View> views = IntStream.range(0, 2)
                     .mapToObj(turn -> offscreen.view(new Vec3(-90 + 80 * turn, 130, 80), new Vec3(0, 60, 0)))
                     .toList();

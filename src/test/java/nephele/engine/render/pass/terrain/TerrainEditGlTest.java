@@ -3,7 +3,6 @@ package nephele.engine.render.pass.terrain;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import nephele.engine.choice.LevelRenderer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,6 +11,7 @@ import java.util.stream.Stream;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Terrain;
@@ -124,7 +124,8 @@ class TerrainEditGlTest {
     private static int[] opened(Level level) {
         PlacedLevel placed = PlacedLevel.of(level, MAPS);
         try (Offscreen offscreen = new Offscreen(160, 120);
-                Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS)) {
+                Renderer renderer =
+                        LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS)) {
             renderer.draw(view(offscreen), offscreen.picture);
             return offscreen.pixels();
         }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.asset.TestAssets;
-import nephele.host.draw.IdLevel;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -26,6 +25,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
 import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -195,7 +195,8 @@ class TerrainTwinGlTest {
                         .get(0);
                 TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
                 TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-                return new Twins(drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {}));
+                return new Twins(
+                        drawn, ReferencePicture.trace(twin, TracedPictures.pinhole(view), settings, done -> {}));
             }
         }
 

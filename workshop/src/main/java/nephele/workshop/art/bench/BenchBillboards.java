@@ -1,12 +1,12 @@
 package nephele.workshop.art.bench;
 
-import nephele.engine.level.ModelPlacement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
@@ -73,8 +73,7 @@ final class BenchBillboards {
         trees.add(trees("oak", 1, 2 * count / 5));
         trees.add(trees("fir", 2, 2 * count / 5));
         trees.add(trees("birch", 3, count / 5));
-        return empty.with(
-                List.of(ground(), leaves), List.of(plain(side)), List.of(), trees);
+        return empty.with(List.of(ground(), leaves), List.of(plain(side)), List.of(), trees);
     }
 
     private static ModelPlacement trees(String kind, int seed, int count) {

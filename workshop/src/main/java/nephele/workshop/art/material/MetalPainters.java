@@ -1,7 +1,7 @@
 package nephele.workshop.art.material;
 
-import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Bond;
+import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.Shapes;
 import nephele.workshop.art.paint.Surface;
 import nephele.workshop.art.paint.Surface.Texel;

@@ -37,7 +37,8 @@ final class WoodPainters {
         double rings = 0.5 + 0.5 * StrictMath.sin(2 * Math.PI * (9 * v * 4 + 3.2 * sway));
         double fibre = noise.stretched(u, v, 6, 150, 2);
         double pore = Shapes.ramp(0.35, 0.8, noise.stretched(u, v, 12, 220, 1));
-        texel.colour = PaintColour.OAK.mix(PaintColour.OAK_DARK, 0.3 * rings * rings + 0.1 * Shapes.ramp(-0.5, 1, sway));
+        texel.colour =
+                PaintColour.OAK.mix(PaintColour.OAK_DARK, 0.3 * rings * rings + 0.1 * Shapes.ramp(-0.5, 1, sway));
         texel.shade(1 + 0.06 * fibre - 0.14 * pore);
         texel.height = 0.0002 * fibre - 0.0003 * pore;
         texel.roughness = 0.85 + 0.1 * rings;

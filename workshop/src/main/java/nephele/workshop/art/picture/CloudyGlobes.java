@@ -1,12 +1,12 @@
 package nephele.workshop.art.picture;
 
 import java.awt.image.BufferedImage;
-import nephele.workshop.art.paint.Pixels;
-import nephele.workshop.art.paint.TileNoise;
 import nephele.workshop.art.paint.ColourRamp;
 import nephele.workshop.art.paint.PaintColour;
+import nephele.workshop.art.paint.Pixels;
 import nephele.workshop.art.paint.Shapes;
 import nephele.workshop.art.paint.SphereNoise;
+import nephele.workshop.art.paint.TileNoise;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 

@@ -73,8 +73,7 @@ final class NumberedGrid {
         int top = 28;
         int dotX = Math.floorDiv(x - left, DOT);
         int dotY = Math.floorDiv(y - top, DOT);
-        return hasDot(number / 10, dotX, dotY)
-                || hasDot(number % 10, dotX - DIGIT_WIDTH - 1, dotY);
+        return hasDot(number / 10, dotX, dotY) || hasDot(number % 10, dotX - DIGIT_WIDTH - 1, dotY);
     }
 
     private static boolean isArrow(int x, int y) {

@@ -1,10 +1,10 @@
 package nephele.workshop.art.picture;
 
+import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import nephele.engine.level.SkyboxLayout;
-import java.awt.image.BufferedImage;
-import java.util.List;
 import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.math.Vec3;
 import nephele.workshop.art.paint.PaintColour;

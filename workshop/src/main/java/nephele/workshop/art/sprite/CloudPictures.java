@@ -1,10 +1,10 @@
 package nephele.workshop.art.sprite;
 
-import nephele.workshop.art.paint.Shapes;
-import nephele.workshop.art.paint.TileNoise;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
+import nephele.workshop.art.paint.Shapes;
+import nephele.workshop.art.paint.TileNoise;
 import nephele.workshop.art.picture.PictureRecipe;
 
 /** The recipes of the pictures that clouds of levels name; coverage maps and densities repeat with the picture. */

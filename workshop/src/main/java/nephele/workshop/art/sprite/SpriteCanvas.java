@@ -1,7 +1,7 @@
 package nephele.workshop.art.sprite;
 
-import nephele.workshop.art.paint.PaintColour;
 import java.awt.image.BufferedImage;
+import nephele.workshop.art.paint.PaintColour;
 import nephele.workshop.art.paint.TileNoise;
 
 /**

@@ -1,8 +1,8 @@
 package nephele.workshop.art.sprite;
 
-import nephele.workshop.art.paint.Shapes;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import nephele.workshop.art.paint.Shapes;
 import nephele.workshop.art.paint.TileNoise;
 import nephele.workshop.art.picture.PictureRecipe;
 

@@ -1,7 +1,7 @@
 package nephele.workshop.art.sprite;
 
-import nephele.workshop.art.paint.PaintColour;
 import java.awt.image.BufferedImage;
+import nephele.workshop.art.paint.PaintColour;
 
 /** Painters of trees: the cypresses of the terraces, a stone pine and an olive tree. Light is left to the engine. */
 final class TreePainters {
@@ -94,7 +94,8 @@ final class TreePainters {
      * @param leaf length and breadth
      * @param flat height of the balls by their breadth
      */
-    static void crown(SpriteCanvas canvas, double[][] balls, PaintColour deep, PaintColour fresh, double[] leaf, double flat) {
+    static void crown(
+            SpriteCanvas canvas, double[][] balls, PaintColour deep, PaintColour fresh, double[] leaf, double flat) {
         for (int layer = 0; layer < 6; layer++) {
             for (double[] ball : balls) {
                 int count = (int) (52_000 * ball[2] * ball[2] * flat);

@@ -18,10 +18,10 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
-import nephele.host.named.Viewpoints;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
+import nephele.host.named.Viewpoints;
 import nephele.lab.bake.TracedPictures;
 
 /**

@@ -1,52 +1,52 @@
 package nephele.workshop.prove.editor;
 
-import java.util.stream.Stream;
+import java.awt.Dimension;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.ZoneOffset;
-import nephele.editor.file.BackupList;
-import nephele.editor.file.RecoveryList;
-import nephele.editor.file.SessionJournal;
-import nephele.editor.proving.PixelExplanation;
-import nephele.editor.save.DocumentFile;
-import nephele.editor.save.journal.JournalFolder;
-import nephele.editor.session.FileServices;
-import nephele.editor.session.EditorFiles;
-import nephele.editor.text.EditorRefusal;
-import nephele.editor.window.WaitingLoop;
-import nephele.editor.window.file.BackupsPanel;
-import nephele.editor.window.file.RecoveryPanel;
-import nephele.editor.window.dialog.ExplanationPanel;
-import nephele.engine.level.Level;
-import nephele.workshop.prove.process.TemporaryFolder;
-import java.util.Map;
-import javax.swing.JTabbedPane;
-import nephele.editor.panel.GuideStep;
-import nephele.editor.panel.PalettePanel;
-import nephele.editor.panel.ProblemsPanel;
-import nephele.editor.problem.ProblemSearch;
-import nephele.editor.session.EditorSession;
-import nephele.editor.tool.ToolEntry;
-import nephele.editor.session.Tools;
-import nephele.engine.math.Vec3;
-import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JOptionPane;
 import javax.swing.JPopupMenu;
+import javax.swing.JTabbedPane;
 import nephele.editor.action.EditorAction.Menu;
+import nephele.editor.file.BackupList;
 import nephele.editor.file.FileText;
+import nephele.editor.file.RecoveryList;
+import nephele.editor.file.SessionJournal;
+import nephele.editor.panel.GuideStep;
+import nephele.editor.panel.PalettePanel;
+import nephele.editor.panel.ProblemsPanel;
+import nephele.editor.problem.ProblemSearch;
+import nephele.editor.proving.PixelExplanation;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.save.journal.JournalFolder;
+import nephele.editor.session.EditorFiles;
+import nephele.editor.session.EditorSession;
+import nephele.editor.session.FileServices;
+import nephele.editor.session.Tools;
+import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
+import nephele.editor.tool.ToolEntry;
 import nephele.editor.window.SwingQuestions;
+import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowText;
 import nephele.editor.window.dialog.DialogFrame;
+import nephele.editor.window.dialog.ExplanationPanel;
+import nephele.editor.window.file.BackupsPanel;
+import nephele.editor.window.file.RecoveryPanel;
 import nephele.engine.level.Language;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.workshop.prove.process.TemporaryFolder;
 
 /** What the proof takes pictures of: the whole window in use, the menus, what dialogues show. */
 final class EditorScenes {
@@ -211,8 +211,8 @@ final class EditorScenes {
     private static void problems(PicturedEditor editor) throws Exception {
         ProblemsPanel problems = editor.the(ProblemsPanel.class);
         EditorSession session = editor.session();
-        problems.show(
-                session.background().get(() -> ProblemSearch.of(session.document().level(), session.assets())));
+        problems.show(session.background()
+                .get(() -> ProblemSearch.of(session.document().level(), session.assets())));
         editor.run("select ids=materials/" + editor.session().options().material(), "four-panes", "unlit");
     }
 
@@ -285,7 +285,8 @@ final class EditorScenes {
         Path file = folder.resolve("room.json");
         EditorSession session = sessionIn(folder, DocumentFile.untitled(), editor);
         session.fileServices().saver().saveAs(file, editor.session().document().level());
-        EditorSession opened = sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
+        EditorSession opened =
+                sessionIn(folder, session.background().get(() -> DocumentFile.open(file.toString())), editor);
         opened.fileServices().saver().saveAs(file, DocumentFile.untitled().level());
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),

@@ -1,11 +1,5 @@
 package nephele.workshop.prove.editor;
 
-import nephele.editor.pane.PaneCamera;
-import nephele.editor.pane.PaneKind;
-import nephele.editor.pane.PaneView;
-import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PlanCamera;
-import nephele.engine.math.Vec3;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
@@ -16,8 +10,13 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractButton;
 import nephele.editor.action.ScriptRunner;
+import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneView;
+import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.pane.PlanCamera;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.start.EditorParts;
@@ -26,6 +25,7 @@ import nephele.editor.window.EditorPanel;
 import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.DialogFrame;
+import nephele.engine.math.Vec3;
 
 /** The real editor over a furnished room, in one look, without a display. Used on the event dispatch thread. */
 final class PicturedEditor implements AutoCloseable {

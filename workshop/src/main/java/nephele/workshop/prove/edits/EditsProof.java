@@ -1,6 +1,5 @@
 package nephele.workshop.prove.edits;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;

@@ -1,8 +1,5 @@
 package nephele.workshop.prove.geometry;
 
-import nephele.engine.level.Terrain;
-import nephele.engine.level.placed.StaticShape;
-import nephele.engine.math.Vec3;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -14,10 +11,13 @@ import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.RayCast;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.workshop.prove.proof.Claim;

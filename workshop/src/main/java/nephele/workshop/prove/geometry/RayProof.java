@@ -1,17 +1,17 @@
 package nephele.workshop.prove.geometry;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
+import nephele.engine.math.Ray;
 import nephele.engine.math.TriangleHit;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.WatertightRay;
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.util.Arrays;
-import java.util.SplittableRandom;
-import nephele.engine.math.Aabb;
-import nephele.engine.math.Ray;
-import java.util.ArrayList;
-import java.util.List;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -187,7 +187,8 @@ public final class RayProof implements Proof {
             met += meets ? 1 : 0;
             boolean exact = meets(o, d, box);
             if (exact != meets && !(meets && meets(o, d, box.grown(WIDTH_OF_ROUNDING)))) {
-                failures.add("ray " + unit + " from " + Arrays.toString(o) + " along " + Arrays.toString(d) + ": " + entry);
+                failures.add(
+                        "ray " + unit + " from " + Arrays.toString(o) + " along " + Arrays.toString(d) + ": " + entry);
             }
         }
 

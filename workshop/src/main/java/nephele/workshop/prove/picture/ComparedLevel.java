@@ -5,16 +5,15 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.stream.Stream;
-import nephele.engine.level.Billboards;
-import nephele.engine.level.Billboards.Facing;
-import nephele.host.named.LevelCatalogue;
-import nephele.engine.choice.LevelRenderer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.choice.LevelRenderer;
+import nephele.engine.level.Billboards;
+import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
@@ -27,6 +26,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
+import nephele.host.named.LevelCatalogue;
 
 /**
  * A level loaded for tracing and for drawing in several ways.

@@ -1,11 +1,11 @@
 package nephele.workshop.prove.picture;
 
 import java.util.stream.IntStream;
-import nephele.host.draw.IdLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.scene.View;
+import nephele.host.draw.IdLevel;
 import nephele.lab.bake.TracedPictures;
 
 /**

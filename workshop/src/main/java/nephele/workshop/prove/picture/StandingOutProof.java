@@ -1,6 +1,5 @@
 package nephele.workshop.prove.picture;
 
-import nephele.engine.choice.LevelRenderer;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.ColourVision;
 import nephele.engine.render.Capture;

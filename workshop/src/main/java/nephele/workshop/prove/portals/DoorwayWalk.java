@@ -1,7 +1,7 @@
 package nephele.workshop.prove.portals;
 
-import nephele.engine.choice.LevelRenderer;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
@@ -47,7 +47,8 @@ final class DoorwayWalk implements AutoCloseable {
         var settings = RenderSettings.of(
                         Output.DIRECT, Quality.HIGH.with("shadowTexels", 1024).with("viewBudget", 6))
                 .with(Decoration.OFF);
-        renderer = LevelRenderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
+        renderer =
+                LevelRenderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
         playthrough = new Playthrough(
                 level, new Playthrough.Beginning("doorways.json", SimSettings.DEFAULT, null), new Steps(manner));
         if (manner == Manner.BOOM) {

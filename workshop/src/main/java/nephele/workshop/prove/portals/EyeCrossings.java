@@ -1,11 +1,11 @@
 package nephele.workshop.prove.portals;
 
-import nephele.engine.choice.LevelRenderer;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;

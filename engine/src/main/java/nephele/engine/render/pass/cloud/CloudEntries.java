@@ -1,19 +1,19 @@
 package nephele.engine.render.pass.cloud;
 
-import nephele.engine.render.resource.FrameLightning;
-import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.resource.FrameClouds;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.OwnedObjects;
+import nephele.engine.render.resource.FrameClouds;
+import nephele.engine.render.resource.FrameLightning;
+import nephele.engine.render.resource.RendererClouds;
 
 /**
  * The clouds of a level with their drawings, in the order in which they are drawn. While techniques change, a cloud has a
@@ -94,7 +94,8 @@ final class CloudEntries {
         List<PassingStage> stages = new ArrayList<>();
         for (TechniqueFade.Stage stage : fade.stages()) {
             boolean remains = stage.techniques().equals(fade.techniques());
-            FrameClouds clouds = remains ? levelClouds.current() : levelClouds.sampledFor(stage.techniques(), passing.owner());
+            FrameClouds clouds =
+                    remains ? levelClouds.current() : levelClouds.sampledFor(stage.techniques(), passing.owner());
             if (!remains) {
                 passingClouds.add(clouds);
             }
@@ -104,10 +105,7 @@ final class CloudEntries {
     }
 
     /** Adds a drawing for each run of stages in which the cloud has one technique. */
-    private void addRuns(
-            PlacedCloud cloud,
-            List<PassingStage> stages,
-            CloudContext context) {
+    private void addRuns(PlacedCloud cloud, List<PassingStage> stages, CloudContext context) {
         int first = 0;
         while (first < stages.size()) {
             int end = first + 1;
@@ -142,19 +140,14 @@ final class CloudEntries {
         return new Entry(before, stage.clouds, stages, drawing, null);
     }
 
-    private Entry remaining(
-            PlacedCloud cloud,
-            List<List<CloudTechnique>> stages,
-            CloudContext context) {
+    private Entry remaining(PlacedCloud cloud, List<List<CloudTechnique>> stages, CloudContext context) {
         CloudDrawing.Technique technique = drawn(cloud.source());
         CloudDrawing drawing = technique.build().apply(context, cloud);
         // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
         CloudDrawing.Technique marched = techniques.get(0);
         CloudDrawing flashed = !hasLightning
                 ? null
-                : technique == marched
-                        ? drawing
-                        : marched.build().apply(context, cloud);
+                : technique == marched ? drawing : marched.build().apply(context, cloud);
         return new Entry(cloud, levelClouds.current(), stages, drawing, flashed);
     }
 

@@ -209,8 +209,7 @@ final class CloudLayer implements GlObject {
         Vec3 moved = view.eye().minus(before.eye());
         uniforms.moved.set(moved);
         uniforms.movedPast.set(moved.minus(nearest.blown(secondsBefore, seconds)));
-        uniforms.nearestKilometres.set(
-                Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearest.metres() / 1000)));
+        uniforms.nearestKilometres.set(Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearest.metres() / 1000)));
         uniforms.beforeRight.setScaled(before.right(), 1 / before.projection().tanHalfWidth());
         uniforms.beforeUp.setScaled(before.up(), 1 / before.projection().tanHalfHeight());
         uniforms.beforeForward.setScaled(before.back(), -1);
@@ -252,10 +251,7 @@ final class CloudLayer implements GlObject {
     }
 
     private Defines defines(String kind) {
-        return Defines.of(context)
-                .with(kind)
-                .with("CLOUDS", clouds)
-                .with("DIVISOR", (double) divisor);
+        return Defines.of(context).with(kind).with("CLOUDS", clouds).with("DIVISOR", (double) divisor);
     }
 
     private <U extends Record> GlProgram<U> program(String fragment, Defines defines, Class<U> uniforms) {

@@ -19,8 +19,7 @@ final class CloudRanges {
     private final double halfCurvature;
 
     /** The uniforms of {@code cloud-ranges.glsl}. */
-    record Places(
-            List<Uniforms.Vector3> rangeBase, List<Uniforms.Vector3> rangeHalf, Uniforms.Vector2 rangePlanet) {}
+    record Places(List<Uniforms.Vector3> rangeBase, List<Uniforms.Vector3> rangeHalf, Uniforms.Vector2 rangePlanet) {}
 
     CloudRanges(List<PlacedCloud> clouds) {
         count = Math.min(MOST, clouds.size());

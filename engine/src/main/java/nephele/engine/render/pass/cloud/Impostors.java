@@ -1,6 +1,5 @@
 package nephele.engine.render.pass.cloud;
 
-import nephele.engine.render.resource.RendererClouds;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.cloud.drawn.CloudPuffs.Puff;
@@ -11,6 +10,7 @@ import nephele.engine.math.Frustum;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.GlContext;
@@ -19,7 +19,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
@@ -225,8 +225,7 @@ public final class Impostors {
         }
     }
 
-    private static void place(
-            QuadUniforms numbers, PuffSlabs slabs, PuffSlabs.Slab slab, Vec3 moved, double margin) {
+    private static void place(QuadUniforms numbers, PuffSlabs slabs, PuffSlabs.Slab slab, Vec3 moved, double margin) {
         PuffSlabs.Sides sides = slab.whole();
         Basis axes = slabs.axes();
         double metres = slab.middle();

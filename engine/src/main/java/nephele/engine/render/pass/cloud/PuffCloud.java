@@ -4,11 +4,11 @@ import java.util.function.UnaryOperator;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudPuffs;
 import nephele.engine.cloud.drawn.DrawnCloud;
-import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.cloud.light.BeamLight;
 import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.Environment;
 import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
@@ -43,11 +43,7 @@ public final class PuffCloud implements CloudDrawing {
      * @param choices adds definitions
      */
     public PuffCloud(
-            CloudContext context,
-            PlacedCloud placed,
-            String shaders,
-            PuffLight light,
-            UnaryOperator<Defines> choices) {
+            CloudContext context, PlacedCloud placed, String shaders, PuffLight light, UnaryOperator<Defines> choices) {
         this.placed = placed;
         beam = light.beam(placed.source().physics().optics());
         programs = new CloudPrograms<>(

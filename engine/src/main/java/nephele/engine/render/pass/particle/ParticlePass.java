@@ -27,7 +27,6 @@ import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.RendererClouds;
-import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.View;
 
 /**

@@ -6,8 +6,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
-import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.scene.SolidBatch;

@@ -1,9 +1,9 @@
 package nephele.engine.render.pass.cloud.billboard;
 
 import nephele.engine.cloud.drawn.CloudPuffs;
-import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.frame.Quality.BillboardFacing;
+import nephele.engine.render.frame.Quality.PuffLight;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudDrawing.Technique;

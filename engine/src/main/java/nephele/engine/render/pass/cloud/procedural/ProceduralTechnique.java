@@ -52,9 +52,7 @@ public final class ProceduralTechnique implements CloudDrawing {
                 double fading = octave.fading(seconds);
                 double coming = octave.coming(seconds);
                 double variance = sheet.variances().get(i) * (fading * fading + coming * coming);
-                octaveScale
-                        .get(i)
-                        .set(octave.cosine() * cells, octave.sine() * cells, octave.weight(), variance);
+                octaveScale.get(i).set(octave.cosine() * cells, octave.sine() * cells, octave.weight(), variance);
                 double u = octave.u(eye.x(), eye.z());
                 double v = octave.v(eye.x(), eye.z());
                 octavePlace.get(i).set(u - Math.floor(u), v - Math.floor(v), fading, coming);

@@ -1,12 +1,11 @@
 package nephele.engine.render.pass.cloud.skybox;
 
-import nephele.engine.render.frame.RenderResources;
-import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Environment;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.RenderResources;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -15,6 +14,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.PlacedCloud;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
 
 /** Draws the pictures of a cloud from one point, each when it is told to; all show the time at which it began. */

@@ -78,7 +78,8 @@ public final class SkyboxTechnique implements CloudDrawing {
         this.placed = placed;
         PlacedCloud still = placed.again();
         baker = new SkyBaker(load, still, baked.build().apply(context, still), bakePoint(load, still));
-        programs = new CloudPrograms<>(context, "cloud.vert", "skybox/skybox.frag", defines -> defines, SkyUniforms.class);
+        programs =
+                new CloudPrograms<>(context, "cloud.vert", "skybox/skybox.frag", defines -> defines, SkyUniforms.class);
         triangle = load.own(new FullScreenTriangle(load.gl(), "skybox of clouds"));
         shown = load.own(new SkyPicture(load.gl()));
         other = load.own(new SkyPicture(load.gl()));

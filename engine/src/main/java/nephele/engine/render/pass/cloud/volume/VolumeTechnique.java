@@ -57,7 +57,8 @@ public final class VolumeTechnique implements CloudDrawing {
                         .withIf(isOctaves, "OCTAVES"),
                 MarchUniforms.class);
         noiseTextures = cloud.isProfiled()
-                ? new NoiseTextures(context.load(), (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
+                ? new NoiseTextures(
+                        context.load(), (ProfiledNoise) cloud.noise(0).density(), cloud.levels())
                 : null;
     }
 
@@ -82,8 +83,7 @@ public final class VolumeTechnique implements CloudDrawing {
         CellBox narrowest = lit.shown().cells().narrowest();
         Vec3 edges = new Vec3(narrowest.sizeX(), narrowest.sizeY(), narrowest.sizeZ());
         uniforms.cellEdges.set(edges, narrowest.shortest());
-        uniforms.stepping.set(
-                stepCells, 0.5, view.eyeY(), canvas.pixels().isLook() ? lit.depthAround(view) : 0);
+        uniforms.stepping.set(stepCells, 0.5, view.eyeY(), canvas.pixels().isLook() ? lit.depthAround(view) : 0);
         triangle.draw();
     }
 }
