@@ -56,8 +56,7 @@ public final class ProblemSearch {
      * @return empty if cancelled
      */
     public Optional<List<LevelProblem>> find(Level level, BooleanSupplier isCancelled) {
-        BooleanSupplier isOver =
-                () -> isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
+        BooleanSupplier isOver = () -> isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted();
         try {
             List<Problem> found = apply(LevelRules.of(Stage.RECORDS), level, null, isOver);
             found.addAll(ofFiles(level, isOver));

@@ -70,31 +70,27 @@ final class CloudRules {
     });
 
     /** A cloud of technique skybox is neither where an eye can be nor where solids are. */
-    static final LevelRule FAR = new LevelRule(
-            LevelRule.Stage.WORLD,
-            (level, assets, statics, report) ->
-                    LevelRule.each("environment.clouds", level.environment().clouds(), (path, cloud) -> {
-                        if (cloud.technique() != CloudTechnique.SKYBOX) {
-                            return;
-                        }
-                        Aabb bounds = EyeReach.bounds(cloud.extent());
-                        EyeReach.Part nearest = EyeReach.of(level, statics).nearest(bounds);
-                        if (nearest != null && EyeReach.metresBetween(nearest.box(), bounds) <= 0) {
-                            report.accept(Problem.warning(
-                                    path + ".technique",
-                                    "an eye can be in this cloud "
-                                            + nearest.means().words()
-                                            + ", and a skybox is a picture from"
-                                            + " one point: choose volume or auto, or move the cloud away"));
-                        } else if (statics.solids().stream()
-                                .anyMatch(solid ->
-                                        EyeReach.metresBetween(solid.shape().bounds(), bounds) <= 0)) {
-                            report.accept(Problem.warning(
-                                    path + ".technique",
-                                    "a solid reaches into this cloud, and a skybox is cut there at one distance:"
-                                            + " choose volume or auto, or move one of them"));
-                        }
-                    }));
+    static final LevelRule FAR = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) ->
+            LevelRule.each("environment.clouds", level.environment().clouds(), (path, cloud) -> {
+                if (cloud.technique() != CloudTechnique.SKYBOX) {
+                    return;
+                }
+                Aabb bounds = EyeReach.bounds(cloud.extent());
+                EyeReach.Part nearest = EyeReach.of(level, statics).nearest(bounds);
+                if (nearest != null && EyeReach.metresBetween(nearest.box(), bounds) <= 0) {
+                    report.accept(Problem.warning(
+                            path + ".technique",
+                            "an eye can be in this cloud " + nearest.means().words()
+                                    + ", and a skybox is a picture from"
+                                    + " one point: choose volume or auto, or move the cloud away"));
+                } else if (statics.solids().stream()
+                        .anyMatch(solid -> EyeReach.metresBetween(solid.shape().bounds(), bounds) <= 0)) {
+                    report.accept(Problem.warning(
+                            path + ".technique",
+                            "a solid reaches into this cloud, and a skybox is cut there at one distance: choose volume"
+                                    + " or auto, or move one of them"));
+                }
+            }));
 
     /** Puffs of a fill from which on random walks through them are slow. */
     private static final int MANY_PUFFS = 20_000;

@@ -21,8 +21,7 @@ final class EmitterRules {
         }
     });
 
-    static final LevelRule USED =
-            LevelRule.ofRecords((level, report) -> LevelRule.each("emitters", level.emitters(), (path, emitter) -> {
+    static final LevelRule USED = LevelRule.ofRecords((level, report) -> LevelRule.each("emitters", level.emitters(), (path, emitter) -> {
                 double repeat = emitter.repeatSeconds();
                 boolean explodes = emitter.kind() == Emitter.Kind.EXPLOSION;
                 if (explodes && repeat > 0 && repeat < emitter.longestLifeSeconds()) {

@@ -9,8 +9,7 @@ final class ExitRules {
     /** The height of a standing player's centre above the feet. */
     private static final double CENTRE_METRES = 0.9;
 
-    static final LevelRule REACHABLE =
-            LevelRule.ofRecords((level, report) -> LevelRule.each("exits", level.exits(), (path, exit) -> {
+    static final LevelRule REACHABLE = LevelRule.ofRecords((level, report) -> LevelRule.each("exits", level.exits(), (path, exit) -> {
                 if (exit.heightMetres() < CENTRE_METRES) {
                     report.accept(Problem.warning(
                             path + ".heightMetres",

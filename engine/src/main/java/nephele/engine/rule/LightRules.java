@@ -9,8 +9,8 @@ import nephele.engine.math.Vec3;
 
 /** Rules for lights that have no effect or cast too many shadows. */
 final class LightRules {
-    static final LevelRule CONES = LevelRule.ofRecords(
-            (level, report) -> LevelRule.each("lights", level.lights(), (path, light) -> light(path, light, report)));
+    static final LevelRule CONES = LevelRule.ofRecords((level, report) ->
+            LevelRule.each("lights", level.lights(), (path, light) -> light(path, light, report)));
 
     static final LevelRule SHADOWS = LevelRule.ofRecords((level, report) -> {
         int pictures = 0;

@@ -23,8 +23,7 @@ final class TerrainRules {
     /** The height difference of two values of a map from which terraces are seen and felt. */
     private static final double STEP_METRES = 0.1;
 
-    static final LevelRule LAYERS =
-            LevelRule.ofRecords((level, report) -> LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
+    static final LevelRule LAYERS = LevelRule.ofRecords((level, report) -> LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
                 Terrain.HeightRange range = terrain.heightRangeMetres();
                 if (range.low() > range.high()) {
                     report.accept(Problem.error(

@@ -35,8 +35,7 @@ public final class FaceRules {
     /** Greatest number of pieces of a face; one in so many is taken for seen. */
     private static final int MOST_PIECES = 500;
 
-    public static final LevelRule APART = new LevelRule(
-            LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> new Search(level, statics, report).run());
+    public static final LevelRule APART = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> new Search(level, statics, report).run());
 
     private FaceRules() {}
 

@@ -121,16 +121,15 @@ public record GroundSeat(Portal portal, double unevenMetres) {
      */
     public static boolean isPossible(HeightField field, Portal near) {
         ApertureGround few = ApertureGround.sampled(field, near);
-        return few.size() < 4 || few.fit(MOST_UNEVEN_METRES * CERTAIN).atLeastMetres() <= MOST_UNEVEN_METRES * CERTAIN;
+        return few.size() < 4
+                || few.fit(MOST_UNEVEN_METRES * CERTAIN).atLeastMetres() <= MOST_UNEVEN_METRES * CERTAIN;
     }
 
     /** Returns the greatest deviation from the nearest plane also for ground that takes no portal. */
     public double measuredUneven(HeightField field) {
         return isEven()
                 ? unevenMetres
-                : ApertureGround.under(field, portal)
-                        .fit(Double.POSITIVE_INFINITY)
-                        .greatestMetres();
+                : ApertureGround.under(field, portal).fit(Double.POSITIVE_INFINITY).greatestMetres();
     }
 
     /** Returns true if the ground takes a portal here. */
@@ -145,9 +144,7 @@ public record GroundSeat(Portal portal, double unevenMetres) {
     public static double stepMetres(List<HeightField> terrains, Portal portal) {
         for (HeightField field : terrains) {
             ApertureGround ground = ApertureGround.under(field, portal);
-            if (ground.size() > 0
-                    && ground.highest() <= STEP_TOLERANCE_METRES
-                    && ground.lowest() >= -MOST_STEP_METRES) {
+            if (ground.size() > 0 && ground.highest() <= STEP_TOLERANCE_METRES && ground.lowest() >= -MOST_STEP_METRES) {
                 return Math.max(0, -ground.lowest());
             }
         }

@@ -196,7 +196,8 @@ final class Regions {
         List<ConvexPolygon> bars = new ArrayList<>();
         addFacesWithoutLeave(frame, all, bounds, bars);
         addFootprints(frame, all, bounds, bars);
-        return new Region(frame, all, new PolygonIndex(Outline.of(all)), new PolygonIndex(bars));
+        return new Region(
+                frame, all, new PolygonIndex(Outline.of(all)), new PolygonIndex(bars));
     }
 
     private void addFacesWithoutLeave(PlaneFrame frame, PolygonIndex all, Aabb bounds, List<ConvexPolygon> bars) {

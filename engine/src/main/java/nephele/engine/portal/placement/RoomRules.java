@@ -39,12 +39,11 @@ public final class RoomRules {
     /** |N.y| from which a portal's heading follows the shooter's view. */
     private static final double TILTED = 0.8660254037844386;
 
-    public static final LevelRule LARGE_ENOUGH =
-            new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
-                if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
-                    new RoomRules(level, statics).report(report);
-                }
-            });
+    public static final LevelRule LARGE_ENOUGH = new LevelRule(LevelRule.Stage.WORLD, (level, assets, statics, report) -> {
+        if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
+            new RoomRules(level, statics).report(report);
+        }
+    });
 
     private final Level level;
     private final StaticShapes statics;

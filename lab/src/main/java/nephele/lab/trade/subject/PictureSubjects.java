@@ -83,10 +83,25 @@ public final class PictureSubjects {
 
     /** Returns the subject of a setting that has no other: words each, numbers as their presets. */
     public static Trade setting(QualityField field) {
-        List<String> values = field.words().isEmpty()
-                ? Stream.of(Quality.Preset.values()).map(field::in).distinct().toList()
-                : field.words();
+        List<String> values = field.words().isEmpty() ? numbers(field) : field.words();
         return setting(field.name(), REFERENCE, PictureSetting.all(field.name(), values.toArray()));
+    }
+
+    /** Returns the numbers of the presets; of a number that all of them share also half and twice as much, if accepted. */
+    private static List<String> numbers(QualityField field) {
+        if (!field.isAlternative()) {
+            return Stream.of(Quality.Preset.values()).map(field::in).distinct().toList();
+        }
+        String usual = field.in(Quality.Preset.HIGH);
+        return Stream.of(scaled(field, usual, 0.5), usual, scaled(field, usual, 2))
+                .filter(number -> field.parsed(number).isPresent())
+                .distinct()
+                .toList();
+    }
+
+    private static String scaled(QualityField field, String number, double factor) {
+        double scaled = factor * Double.parseDouble(number);
+        return field.type() == int.class ? Long.toString(Math.round(scaled)) : Double.toString(scaled);
     }
 
     /** Returns the value of a setting in the preset {@code high}. */
