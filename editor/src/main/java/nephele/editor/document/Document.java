@@ -132,7 +132,7 @@ public final class Document {
         commitDrag(label, null);
     }
 
-    /** Makes the drag one step, as {@link #commitDrag(String)}, with a key as in {@link History#add}. */
+    /** Makes the drag one step, as {@link #commitDrag(Words)}, with a key as in {@link History#add}. */
     public void commitDrag(Words label, String mergeKey) {
         if (preview == null) {
             return;
@@ -185,7 +185,7 @@ public final class Document {
         tell(now());
     }
 
-    /** NoteEdits that no state of the level is on disk any more, such as after its file was deleted. */
+    /** Notes that no state of the level is on disk any more, such as after its file was deleted. */
     public void markUnsaved() {
         history.markUnsaved();
         tell(now());

@@ -95,7 +95,7 @@ public final class History {
         saved = current;
     }
 
-    /** NoteEdits that no snapshot is on disk any more. */
+    /** Notes that no snapshot is on disk any more. */
     void markUnsaved() {
         saved = -1;
     }

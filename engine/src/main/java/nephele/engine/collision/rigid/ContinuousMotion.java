@@ -36,7 +36,7 @@ final class ContinuousMotion {
         CUT_SHORT
     }
 
-    /** Greatest depth of a fast body in what it hits; at most an eighth of its thickness. */
+    /** Greatest depth of a fast body in what it hits; at most a sixteenth of its thickness. */
     private static final double MOST_DEPTH_METRES = 6e-4;
 
     /** A displacement cut short by less is not counted as a fault. */

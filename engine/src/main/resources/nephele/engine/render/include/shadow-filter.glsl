@@ -1,6 +1,6 @@
 // The share of a 2 x 2 texel footprint that receives light, bilinearly weighted. The receiver's plane is evaluated at
 // each texel's own centre, so a lit plane of any slope never shades itself, and no offset moves the shadow's edge.
-// Twin: nephele.engine.scene.light.ShadowFilter.
+// Twin: nephele.engine.scene.light.ShadowFilter in src/test/java.
 
 // Exceeds the depth of every receiver, in depths of a map.
 const float FARTHEST = 1e9;
