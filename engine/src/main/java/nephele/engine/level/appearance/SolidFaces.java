@@ -39,7 +39,7 @@ public final class SolidFaces {
         return names;
     }
 
-    /** Returns what a solid says of its faces; those of which it says nothing are missing, but for planes. */
+    /** Returns what a solid says of its faces: no entry for a face of which it says nothing, but for planes. */
     public static Map<String, Solid.Face> said(Solid solid) {
         if (solid instanceof Solid.Wedge wedge) {
             return wedge.faces();

@@ -108,7 +108,7 @@ class ExposurePassGlTest {
         }
     }
 
-    /** Without history a picture has the exposure that it calls for, to the bit, whatever was shown before. */
+    /** Without history a picture has exactly the exposure that its own brightness gives, whatever was shown before. */
     @Test
     void afterACutNothingIsLeftOfThePictureBefore() {
         try (GlContext gl = GlContext.offscreen();
