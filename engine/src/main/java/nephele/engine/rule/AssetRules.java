@@ -10,8 +10,8 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.level.Cloud;
-import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxPictures;
@@ -106,8 +106,7 @@ final class AssetRules {
         String largest = "";
         double most = 0;
         for (Map.Entry<String, Verdict> picture : verdicts.entrySet()) {
-            double bytes =
-                    4.0 * picture.getValue().width() * picture.getValue().height();
+            double bytes = 4.0 * picture.getValue().width() * picture.getValue().height();
             sum += bytes;
             largest = bytes > most ? picture.getKey() : largest;
             most = Math.max(most, bytes);

@@ -3,13 +3,13 @@ package nephele.engine.rule;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
-import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.WeatherClouds;
@@ -29,9 +29,7 @@ final class CloudRules {
     static final LevelRule MEANT = LevelRule.ofRecords((level, report) -> {
         Environment environment = level.environment();
         LevelRule.each(
-                "environment.clouds",
-                environment.clouds(),
-                (path, cloud) -> cloud(path, cloud, environment, report));
+                "environment.clouds", environment.clouds(), (path, cloud) -> cloud(path, cloud, environment, report));
     });
 
     /** A weather's clouds and the written ones have different ids. */
@@ -126,7 +124,8 @@ final class CloudRules {
         motion(path, cloud, report);
         Cloud.BackLobe back = cloud.backLobe();
         if (back.phaseBackG() != 0 && back.phaseBackShare() == 0) {
-            report.accept(Problem.warning(path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out"));
+            report.accept(Problem.warning(
+                    path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out"));
         }
         if (cloud.shafts() && !(environment.sky() instanceof Sky.Atmosphere)) {
             report.accept(Problem.warning(
@@ -151,23 +150,24 @@ final class CloudRules {
         Cloud.Motion motion = cloud.motion();
         boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
         if (isLayer && motion.windMetresPerSecond().y() != 0) {
-            report.accept(Problem.error(path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle"));
+            report.accept(Problem.error(
+                    path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle"));
         }
         if (isLayer && motion.swayMetres().y() != 0) {
             report.accept(Problem.error(path + ".swayMetres[1]", "a layer keeps its altitude: write 0 in the middle"));
         }
         double evolution = motion.evolutionSeconds();
-        if (evolution > 0
-                && !(cloud.density() instanceof Noise)
-                && cloud.technique() != CloudTechnique.PROCEDURAL) {
+        if (evolution > 0 && !(cloud.density() instanceof Noise) && cloud.technique() != CloudTechnique.PROCEDURAL) {
             report.accept(Problem.warning(path + ".evolutionSeconds", "only noise takes other shapes: leave this out"));
         }
     }
 
-    private static void layer(String path, Cloud.Extent.Layer layer, Environment environment, Consumer<Problem> report) {
+    private static void layer(
+            String path, Cloud.Extent.Layer layer, Environment environment, Consumer<Problem> report) {
         boolean isRound = environment.sky() instanceof Sky.Atmosphere;
         if (isRound && layer.baseAltitudeMetres() + layer.thicknessMetres() <= 0) {
-            report.accept(Problem.warning(path + ".baseAltitudeMetres", "the layer is below the planet's ground at y = 0: raise it"));
+            report.accept(Problem.warning(
+                    path + ".baseAltitudeMetres", "the layer is below the planet's ground at y = 0: raise it"));
         }
     }
 
@@ -182,7 +182,8 @@ final class CloudRules {
         } else if (fill.count() == 0) {
             report.accept(Problem.warning(path + ".fill.count", "makes no puff: give some hundred"));
         } else if (fill.count() > MANY_PUFFS) {
-            report.accept(Problem.warning(path + ".fill.count", "so many puffs are slow: some thousand fill any cloud"));
+            report.accept(
+                    Problem.warning(path + ".fill.count", "so many puffs are slow: some thousand fill any cloud"));
         }
     }
 }

@@ -6,9 +6,9 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.Problem;
 import nephele.engine.level.layout.BrushIndex;
 import nephele.engine.level.layout.FacePath;
 import nephele.engine.level.layout.FacePieces;
@@ -62,9 +62,8 @@ final class FaceRules {
     }
 
     private void run() {
-        List<Aabb> boxes = places.stream()
-                .map(place -> Aabb.of(place.face().polygon()))
-                .toList();
+        List<Aabb> boxes =
+                places.stream().map(place -> Aabb.of(place.face().polygon())).toList();
         SpatialIndex index = SpatialIndex.of(boxes);
         ItemList near = new ItemList();
         for (int i = 0; i < places.size() && !reported.isFull() && pairs < MOST_PAIRS; i++) {
@@ -99,7 +98,7 @@ final class FaceRules {
         ItemList near = solids.near(Aabb.of(before));
         for (int i = 0; i < near.size() && !visible.isEmpty() && visible.size() < MOST_PIECES; i++) {
             visible = FacePieces.outside(
-visible, solids.brushes().get(near.get(i)).shape());
+                    visible, solids.brushes().get(near.get(i)).shape());
         }
         return visible.stream().anyMatch(piece -> FacePieces.widthMetres(piece) >= LEAST_WIDTH_METRES);
     }
@@ -109,9 +108,8 @@ visible, solids.brushes().get(near.get(i)).shape());
         String message = "lies in one plane with face " + b.face().name() + " of "
                 + FacePath.named(level, b.solid())
                 + ", and the materials differ: they flicker: move one of them, or give both the same material";
-        reported.accept(
-                Problem.warning(FacePath.of(level, a.solid(), a.face().name()), message)
-                        .about(new Subject(Topic.FIGHTING_FACES, List.of(other), common)));
+        reported.accept(Problem.warning(FacePath.of(level, a.solid(), a.face().name()), message)
+                .about(new Subject(Topic.FIGHTING_FACES, List.of(other), common)));
     }
 
     private static boolean isCoplanar(BrushFace a, BrushFace b) {

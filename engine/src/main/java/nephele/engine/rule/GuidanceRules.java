@@ -7,8 +7,8 @@ import nephele.engine.collision.RayCast;
 import nephele.engine.level.Hint;
 import nephele.engine.level.Language;
 import nephele.engine.level.Place;
-import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.json.WordFormats;
 import nephele.engine.level.layout.BrushIndex;
 import nephele.engine.level.layout.FacePath;
@@ -76,7 +76,9 @@ final class GuidanceRules {
         if (around >= 0) {
             report.accept(Problem.warning(
                             "landmark.position",
-                            "the landmark is inside " + (around < level.solids().size() ? FacePath.named(level, around) : "a model") + ", and its sphere is hidden from the"
+                            "the landmark is inside "
+                                    + (around < level.solids().size() ? FacePath.named(level, around) : "a model")
+                                    + ", and its sphere is hidden from the"
                                     + " player's start: move it out, or raise radiusMetres")
                     .about(Topic.ENTITY_IN_SOLID));
         } else {

@@ -4,4 +4,3 @@
  * fixed portals in {@code portal.placement}.
  */
 package nephele.engine.rule;
-
