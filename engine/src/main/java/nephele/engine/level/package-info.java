@@ -4,3 +4,4 @@
  * level.appearance} tells what materials, lights and skies mean.
  */
 package nephele.engine.level;
+
