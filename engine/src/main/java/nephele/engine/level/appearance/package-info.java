@@ -4,3 +4,4 @@
  * prepares light with them, and the reference path tracer uses them.
  */
 package nephele.engine.level.appearance;
+
