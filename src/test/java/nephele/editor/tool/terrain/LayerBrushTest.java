@@ -18,13 +18,12 @@ import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
-import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,7 +57,7 @@ class LayerBrushTest {
     }
 
     private LayerMap map() {
-        return session.assets().decoded(file(), LayerMap.class, LayerMapFile::read);
+        return session.assets().decoded(file(), LayerMap.class, LayerMap::read);
     }
 
     @Test

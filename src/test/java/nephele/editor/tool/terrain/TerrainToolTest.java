@@ -20,13 +20,12 @@ import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
-import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.BeforeEach;
@@ -137,7 +136,7 @@ class TerrainToolTest {
         session.saved(session.file().asOfNow());
         stroke(6, 10);
         assertEquals(3, level.painted().size());
-        short[] second = HeightMapFile.read(kept, Files.readAllBytes(folder.resolve(kept)))
+        short[] second = HeightMap.read(kept, Files.readAllBytes(folder.resolve(kept)))
                 .values();
         session.maps().discard();
         assertEquals(Set.of(kept), level.painted().keySet());
@@ -149,7 +148,7 @@ class TerrainToolTest {
         session.drag().press(at(0, 0));
         HeightMap shown = PaintedLevel.map(session);
         byte[] asked = session.assets().bytes(map());
-        assertArrayEquals(shown.values(), HeightMapFile.read(map(), asked).values());
+        assertArrayEquals(shown.values(), HeightMap.read(map(), asked).values());
         assertTrue(session.assets().exists(map()));
         session.drag().cancel();
     }

@@ -2,7 +2,6 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.noise.CloudTables;
@@ -64,7 +63,7 @@ public final class CloudFields {
             return GridField.inBox(voxels.grid(), box, perMetre);
         }
         Aabb sides = voxels.grid().box();
-        VolFile.requireArea(voxels.file(), sides);
+        VoxelGrid.requireArea(voxels.file(), sides);
         Aabb tile = new Aabb(sides.minX(), box.minY(), sides.minZ(), sides.maxX(), box.maxY(), sides.maxZ());
         Vec3 drift = moment.driftWithin(tile.maxX() - tile.minX(), tile.maxZ() - tile.minZ());
         return GridField.repeated(voxels.grid(), tile.moved(drift), perMetre, slackMetres);

@@ -5,7 +5,6 @@ import java.util.function.LongFunction;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
@@ -41,7 +40,7 @@ sealed interface CloudFiles {
     static CloudFiles of(Cloud cloud, AssetSource assets, LongFunction<CloudTables> tables) {
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
             String file = grid.file();
-            return new Voxels(file, VolFile.parse(file, assets.bytes(file)), Meaning.DENSITY);
+            return new Voxels(file, VoxelGrid.read(file, assets.bytes(file)), Meaning.DENSITY);
         }
         if (cloud.density() instanceof Cloud.Density.Image image) {
             var picture = PictureDecoder.decodeNumbers(image.file(), assets.bytes(image.file()));

@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
@@ -157,7 +156,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
             }
         }
         HeightMap map = maps.computeIfAbsent(
-                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
+                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
         return editedGrounds(index, said, map, before, assets);
     }
 

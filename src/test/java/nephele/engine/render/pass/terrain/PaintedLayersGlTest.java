@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -25,8 +24,8 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
@@ -60,7 +59,7 @@ class PaintedLayersGlTest {
         return TestTerrain.map(70, TestTerrain::wavy)
                 .picture("a.png", 32, 32, (x, y) -> 0x010101 * wave(x))
                 .picture("b.png", 32, 32, (x, y) -> 0x010001 * wave(y) + 0x8000)
-                .file("layers.png", LayerMapFile.png(map));
+                .file("layers.png", map.png());
     }
 
     private static int wave(int at) {
