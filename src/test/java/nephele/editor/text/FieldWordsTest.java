@@ -50,7 +50,7 @@ class FieldWordsTest {
 
     @Test
     void everyKindInThePaletteHasWords() {
-        for (PaletteModel.Entry entry : PaletteModel.entries(nephele.editor.record.LevelStructure.LEVEL)) {
+        for (PaletteModel.Entry entry : PaletteModel.entries(nephele.editor.record.Entities.LEVEL)) {
             assertTrue(KindWords.known(entry.kind()).isPresent(), entry.kind());
         }
     }

@@ -5,14 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import nephele.editor.panel.model.PaletteModel;
 import nephele.editor.panel.model.PaletteModel.Entry;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import org.junit.jupiter.api.Test;
 
 /** Whatever can be placed has a symbol of its own. */
 class EntityIconsTest {
     @Test
     void eachKindOfThePaletteHasADrawing() {
-        List<Entry> without = PaletteModel.entries(LevelStructure.LEVEL).stream()
+        List<Entry> without = PaletteModel.entries(Entities.LEVEL).stream()
                 .filter(entry ->
                         EntityIcons.drawing(entry.section(), entry.kind()).isEmpty())
                 .toList();

@@ -22,7 +22,6 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
@@ -92,8 +91,8 @@ final class EntityActions {
         String typed = call.needed("kind");
         Vec3 at = call.vector("at", Vec3.ZERO);
         Document document = call.session().document();
-        LevelStructure structure = document.entities().structure();
-        for (EntitySection section : structure.lists()) {
+        Entities entities = document.entities();
+        for (EntitySection section : entities.lists()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (kind.isPresent()) {
                 String wish = call.text("id").orElse(kind.get().name());
@@ -102,7 +101,7 @@ final class EntityActions {
                 return;
             }
         }
-        for (SingleSection section : structure.singles()) {
+        for (SingleSection section : entities.singles()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (section.isOptional() && kind.isPresent()) {
                 add(document, section.path(), "", NewRecord.at(kind.get(), "", at));

@@ -129,7 +129,7 @@ final class SelectActions {
     private static List<EntityRef> selectable(ActionCall call) {
         Document document = call.session().document();
         List<EntityRef> all = new ArrayList<>();
-        for (EntitySection section : document.entities().structure().lists()) {
+        for (EntitySection section : document.entities().lists()) {
             if (!section.path().equals("materials")) {
                 for (Record entity : section.entities(document.level())) {
                     all.add(new EntityRef(section.path(), RecordKind.id(entity)));

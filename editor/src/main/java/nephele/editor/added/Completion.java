@@ -8,9 +8,7 @@ import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
@@ -41,14 +39,14 @@ public final class Completion {
 
     private Level complete(Level added) {
         Level level = observed(planted(framed(added)));
-        for (EntitySection section : LevelStructure.LEVEL.lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             level = referring(level, section);
         }
         return level;
     }
 
     private static Level added(Level level, String section, String wish, Vec3 at) {
-        EntitySection list = LevelStructure.LEVEL.list(section).orElseThrow();
+        EntitySection list = Entities.LEVEL.list(section).orElseThrow();
         String id = Entities.LEVEL.freshId(level, section, wish);
         return (Level)
                 Entities.LEVEL.added(level, section, NewRecord.at(list.kinds().get(0), id, at));
@@ -125,7 +123,7 @@ public final class Completion {
         boolean isBare = section.path().equals(MATERIALS) && level.materials().isEmpty();
         Level able = isBare ? MaterialLibrary.STANDARD.including(level, MaterialLibrary.FIRST) : level;
         Record result = able;
-        for (EntitySection owners : LevelStructure.LEVEL.lists()) {
+        for (EntitySection owners : Entities.LEVEL.lists()) {
             List<Record> changed = owners.entities(result).stream()
                     .map(owner -> referring(owner, section.path(), wrong, others(able, section, owners, owner)))
                     .toList();
@@ -135,7 +133,7 @@ public final class Completion {
     }
 
     private static Record referring(Record owner, String section, Set<String> wrong, List<String> ids) {
-        return RecordWalk.map(owner, (field, value) -> {
+        return RecordKind.mapped(owner, (field, value) -> {
             boolean isWrong = field.declaration().refersTo().equals(section) && value != null && wrong.contains(value);
             return !isWrong || ids.isEmpty() && field.isRequired() ? value : ids.isEmpty() ? null : ids.get(0);
         });

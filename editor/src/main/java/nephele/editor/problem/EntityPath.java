@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Level;
 
@@ -27,7 +27,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return Optional.empty();
         }
         int index = Integer.parseInt(matcher.group(2));
-        return LevelStructure.LEVEL
+        return Entities.LEVEL
                 .list(matcher.group(1))
                 .filter(section -> index < section.entities(level).size())
                 .map(section -> new EntityPath(section, index, matcher.group(3)));

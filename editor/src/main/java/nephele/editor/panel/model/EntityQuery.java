@@ -7,9 +7,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
@@ -36,7 +36,7 @@ public record EntityQuery(List<QueryTerm> terms, List<Words> errors) {
     }
 
     /** Returns the query of a text. */
-    public static EntityQuery parse(String text, LevelStructure structure) {
+    public static EntityQuery parse(String text, Entities entities) {
         List<QueryTerm> terms = new ArrayList<>();
         List<Words> errors = new ArrayList<>();
         Matcher words = WORD.matcher(text);
@@ -49,7 +49,7 @@ public record EntityQuery(List<QueryTerm> terms, List<Words> errors) {
             }
             var parsed =
                     new QueryTerm(term.group(1), term.group(2), term.group(3).toLowerCase(Locale.ROOT));
-            Words error = error(parsed, structure);
+            Words error = error(parsed, entities);
             if (error == null) {
                 terms.add(parsed);
             } else {
@@ -59,7 +59,7 @@ public record EntityQuery(List<QueryTerm> terms, List<Words> errors) {
         return new EntityQuery(terms, errors);
     }
 
-    private static Words error(QueryTerm term, LevelStructure structure) {
+    private static Words error(QueryTerm term, Entities entities) {
         if (term.value().isEmpty()) {
             return PanelText.QUERY_NO_VALUE.with(term.name() + term.operator());
         }
@@ -70,19 +70,19 @@ public record EntityQuery(List<QueryTerm> terms, List<Words> errors) {
             return PanelText.QUERY_NO_TRUTH.with(term.name());
         }
         boolean isKnown = FLAGS.contains(term.name()) || term.name().equals("type");
-        return isKnown || componentNames(structure).contains(term.name())
+        return isKnown || componentNames(entities).contains(term.name())
                 ? null
                 : PanelText.QUERY_NO_COMPONENT.with(term.name());
     }
 
     /** Returns the names of all components that entities have, for completion. */
-    public static Set<String> componentNames(LevelStructure structure) {
+    public static Set<String> componentNames(Entities entities) {
         Set<String> names = new TreeSet<>();
         Set<Class<?>> seen = new java.util.HashSet<>();
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             section.kinds().forEach(kind -> collect(kind, names, seen));
         }
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (!single.path().isEmpty()) {
                 single.kinds().forEach(kind -> collect(kind, names, seen));
             }

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.ChoiceWord;
@@ -23,12 +23,12 @@ final class FieldUnion {
     private record Identity(String name, FieldKind kind, Class<?> valueClass) {}
 
     private final List<EntityRef> refs;
-    private final LevelStructure structure;
+    private final Entities entities;
     private final List<InspectorField> found = new ArrayList<>();
 
-    FieldUnion(List<EntityRef> refs, LevelStructure structure) {
+    FieldUnion(List<EntityRef> refs, Entities entities) {
         this.refs = refs;
-        this.structure = structure;
+        this.entities = entities;
     }
 
     List<InspectorField> fields(List<Record> owners) {
@@ -57,7 +57,7 @@ final class FieldUnion {
     }
 
     private boolean isShown(RecordField field, String section) {
-        boolean isEntities = section != null && structure.list(section).isPresent();
+        boolean isEntities = section != null && entities.list(section).isPresent();
         boolean isCommonId = field.isId() && refs.size() > 1;
         return !isEntities && !isCommonId && field.valueClass() != EditorNotes.class;
     }

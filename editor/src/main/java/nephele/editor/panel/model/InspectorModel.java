@@ -15,7 +15,6 @@ import nephele.editor.added.NewRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
@@ -29,19 +28,17 @@ public final class InspectorModel {
     /** The level itself, which is inspected if nothing is selected. */
     public static final List<EntityRef> ROOT = List.of(EntityRef.single(""));
 
-    private final LevelStructure structure;
     private final Entities entities;
 
-    public InspectorModel(LevelStructure structure) {
-        this.structure = structure;
-        entities = new Entities(structure);
+    public InspectorModel(Entities entities) {
+        this.entities = entities;
     }
 
     /** Returns the union of the fields of some records, in the order of the file. */
     public List<InspectorField> fields(Record root, List<EntityRef> refs) {
         List<Record> owners =
                 refs.stream().flatMap(ref -> entities.find(root, ref).stream()).toList();
-        return new FieldUnion(refs, structure).fields(owners);
+        return new FieldUnion(refs, entities).fields(owners);
     }
 
     /** Returns what is wrong with a value for a field. */
@@ -160,7 +157,7 @@ public final class InspectorModel {
 
     /** Returns the ids that a reference may have. */
     public List<String> ids(Record root, String section) {
-        return structure.list(section).stream()
+        return entities.list(section).stream()
                 .flatMap(list -> list.entities(root).stream())
                 .map(RecordKind::id)
                 .toList();

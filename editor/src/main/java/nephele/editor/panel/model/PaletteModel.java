@@ -3,8 +3,8 @@ package nephele.editor.panel.model;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.EntityWords;
@@ -38,22 +38,22 @@ public final class PaletteModel {
     }
 
     /** Returns the entries in the order of the file. */
-    public static List<Entry> entries(LevelStructure structure) {
+    public static List<Entry> entries(Entities entities) {
         List<Entry> entries = new ArrayList<>();
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (single.isOptional()) {
                 add(entries, single.path(), single.kinds());
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             add(entries, section.path(), section.kinds());
         }
         return List.copyOf(entries);
     }
 
     /** Returns the entries below a heading, in the order in which they are named. */
-    public static List<Entry> entries(LevelStructure structure, EntityWords.Group group) {
-        return entries(structure).stream()
+    public static List<Entry> entries(Entities entities, EntityWords.Group group) {
+        return entries(entities).stream()
                 .filter(entry -> entry.group() == group)
                 .sorted(Comparator.comparing(entry -> EntityWords.rank(entry.section(), entry.kind())))
                 .toList();

@@ -4,7 +4,6 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.engine.level.Exposure;
 import nephele.engine.math.Vec3;
 
@@ -51,7 +50,7 @@ public record QueryTerm(String name, String operator, String value) {
 
     private boolean hasValue(Record entity) {
         boolean[] found = {false};
-        RecordWalk.map(entity, (field, component) -> {
+        RecordKind.mapped(entity, (field, component) -> {
             found[0] |= component != null && field.name().equals(name) && isMet(component);
             return component;
         });

@@ -11,9 +11,9 @@ import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.editor.window.dialog.FormField.Option;
@@ -22,7 +22,7 @@ import nephele.engine.math.Vec3;
 
 /** The forms of the actions that need values. */
 final class ActionForms {
-    private static final InspectorModel MODEL = new InspectorModel(LevelStructure.LEVEL);
+    private static final InspectorModel MODEL = new InspectorModel(Entities.LEVEL);
 
     static final List<ActionForm> ALL = List.of(
             new ActionForm(

@@ -12,7 +12,7 @@ import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.KeyText;
 import nephele.editor.panel.model.PaletteModel;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import nephele.engine.level.Language;
 
 /** The search lists of the editor. */
@@ -41,7 +41,7 @@ public final class Searches {
 
     /** Returns the search over all kinds of entities that a level can have. */
     public static SearchList<PaletteModel.Entry> kinds(Language language, Consumer<Optional<PaletteModel.Entry>> done) {
-        List<PaletteModel.Entry> all = PaletteModel.entries(LevelStructure.LEVEL);
+        List<PaletteModel.Entry> all = PaletteModel.entries(Entities.LEVEL);
         return new SearchList<>(
                 new SearchList.Search<>(
                         DialogText.SEARCH_KINDS,
