@@ -17,7 +17,7 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.ChoiceWord;
-import nephele.editor.text.KindWords;
+import nephele.editor.text.EntityWords;
 import nephele.editor.text.Words;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.TextKind;
@@ -206,6 +206,6 @@ final class FieldEditors {
     }
 
     private static Words word(InspectorField field, Object value) {
-        return field.type().kind() == FieldKind.VARIANT ? KindWords.of((String) value) : ChoiceWord.words(value);
+        return field.type().kind() == FieldKind.VARIANT ? EntityWords.ofKind((String) value) : ChoiceWord.words(value);
     }
 }
