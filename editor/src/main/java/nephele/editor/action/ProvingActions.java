@@ -57,6 +57,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F9"),
                             ProvingActions::heat)
+                    .chosenWhen(session -> session.proving().heat().isShown())
                     .taking("show"),
             EditorAction.of(
                     "check-solution",
@@ -73,6 +74,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F11"),
                             ProvingActions::pathTrace)
+                    .chosenWhen(session -> session.proving().corner().isShown())
                     .taking("show", "spp"),
             EditorAction.of(
                             "compare-techniques",
@@ -83,6 +85,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of(),
                             ProvingActions::compareTechniques)
+                    .chosenWhen(session -> session.proving().techniques().isShown())
                     .when(ProvingActions::hasCloud)
                     .taking("a", "b", "wipe", "show"),
             EditorAction.of(
@@ -101,18 +104,10 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of(),
                             ProvingActions::trade)
+                    .chosenWhen(session -> session.proving().trade().isRunning())
                     .taking("out"));
 
     private ProvingActions() {}
-
-    /** Returns true for an action whose effect is shown now, such as the heat map. */
-    public static boolean isOn(EditorSession session, String action) {
-        Proving proving = session.proving();
-        return action.equals("heat") && proving.heat().isShown()
-                || action.equals("path-trace") && proving.corner().isShown()
-                || action.equals("compare-techniques") && proving.techniques().isShown()
-                || action.equals("trade") && proving.trade().isRunning();
-    }
 
     /** Selects the entity of a problem, and shows its place. */
     public static void choose(EditorSession session, LevelProblem problem) {

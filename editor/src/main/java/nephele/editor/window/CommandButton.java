@@ -23,7 +23,7 @@ record CommandButton(EditorCommand command, AbstractButton button) {
         button.setToolTipText(title + key);
         button.getAccessibleContext().setAccessibleName(title);
         button.getAccessibleContext()
-                .setAccessibleDescription(command.description().in(language));
+                .setAccessibleDescription(command.title().in(language));
         button.addActionListener(event -> command.run());
         return new CommandButton(command, button);
     }

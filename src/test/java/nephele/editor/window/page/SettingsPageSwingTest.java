@@ -19,8 +19,8 @@ import nephele.editor.action.EditorKeys;
 import nephele.editor.action.ScriptInterface;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
@@ -123,7 +123,7 @@ class SettingsPageSwingTest {
     void theDefaultsHaveNoConflicts() {
         open(EditorSettings.DEFAULT);
         List<EditorCommand> commands = new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL).all();
-        assertEquals(List.of(), new EditorKeys(commands, Map.of()).conflicts());
+        assertEquals(Map.of(), new EditorKeys(commands, Map.of()).conflicts());
     }
 
     @Test
