@@ -86,7 +86,7 @@ public final class WindowFiles implements AutoCloseable {
     }
 
     private void warn(Words message) {
-        questions.tell(message.in(session.language()), session.language());
+        questions.warn(message.in(session.language()), session.language());
     }
 
     private boolean isMineKept(Words question) {
@@ -117,18 +117,21 @@ public final class WindowFiles implements AutoCloseable {
         }
         RecoveryList lost = new RecoveryList(journal, works, Instant.now(), ZoneId.systemDefault());
         JDialog dialog = dialog(FileDialogText.RECOVER_TITLE.in(session.language()));
-        RecoveryPanel panel = new RecoveryPanel(
-                lost, session.language(), new RecoveryPanel.Answers(ui::isAgreed, this::mayLeave, dialog::dispose));
+        RecoveryPanel panel =
+                new RecoveryPanel(lost, session.language(), ui::isAgreed, this::mayLeave, dialog::dispose);
         show(dialog, panel, panel.recoverButton(), panel.rows());
     }
 
     private void showBackups() {
-        JDialog dialog = dialog(FileDialogText.BACKUPS_TITLE.in(
-                session.language(), session.file().path().orElseThrow().getFileName()));
+        JDialog dialog = dialog(FileDialogText.BACKUPS_TITLE
+                .with(session.file().path().orElseThrow().getFileName())
+                .in(session.language()));
         BackupsPanel panel = new BackupsPanel(
                 new BackupList(session, Instant.now(), ZoneId.systemDefault()),
                 session.language(),
-                new BackupsPanel.Answers(this::mayLeave, this::tell, dialog::dispose));
+                this::mayLeave,
+                this::tell,
+                dialog::dispose);
         show(dialog, panel, panel.restoreButton(), panel.rows());
     }
 

@@ -93,8 +93,9 @@ final class KeyTable extends AbstractTableModel {
     private String conflictText(EditorCommand command) {
         return keys.conflicts().entrySet().stream()
                 .filter(conflict -> conflict.getValue().contains(command.id()))
-                .map(conflict ->
-                        PageText.ALSO.in(language, conflict.getKey().text(), others(conflict.getValue(), command)))
+                .map(conflict -> PageText.ALSO
+                        .with(conflict.getKey().text(), others(conflict.getValue(), command))
+                        .in(language))
                 .collect(Collectors.joining("; "));
     }
 
