@@ -236,8 +236,8 @@ final class FileActions {
         Optional<SceneUse> use = kind == Kind.SCENE ? sceneUse(call, asked.get()) : Optional.of(SceneUse.INSERT);
         boolean isReplaced = kind.replacesLevel() || use.equals(Optional.of(SceneUse.REPLACE));
         if (use.isPresent() && (!isReplaced || mayLeave(call))) {
-            DroppedFile.Target target = new DroppedFile.Target(call.vector("at", Vec3.ZERO), face(call));
-            new DroppedFile(call.session(), asked.get()).dropOn(target, use.get());
+            new DroppedFile(call.session(), asked.get())
+                    .dropOn(call.vector("at", Vec3.ZERO), face(call), use.get());
         }
     }
 
