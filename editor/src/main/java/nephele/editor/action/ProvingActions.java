@@ -57,7 +57,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F9"),
                             ProvingActions::heat)
-                    .chosenWhen(session -> session.proving().heat().isShown())
+                    .chosenWhen(session -> session.proving().heat().isVisible())
                     .taking("show"),
             EditorAction.of(
                     "check-solution",
@@ -74,7 +74,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F11"),
                             ProvingActions::pathTrace)
-                    .chosenWhen(session -> session.proving().corner().isShown())
+                    .chosenWhen(session -> session.proving().corner().isVisible())
                     .taking("show", "spp"),
             EditorAction.of(
                             "compare-techniques",
@@ -85,7 +85,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of(),
                             ProvingActions::compareTechniques)
-                    .chosenWhen(session -> session.proving().techniques().isShown())
+                    .chosenWhen(session -> session.proving().techniques().isVisible())
                     .when(ProvingActions::hasCloud)
                     .taking("a", "b", "wipe", "show"),
             EditorAction.of(
@@ -123,7 +123,7 @@ public final class ProvingActions {
 
     /** A script fails at the first error of the level. */
     private static void check(ActionCall call) throws EditorRefusal {
-        List<LevelProblem> problems = call.session().proving().problems().shown();
+        List<LevelProblem> problems = call.session().proving().problems().listed();
         Words words = problems.isEmpty()
                 ? ProvingText.NO_PROBLEMS.words()
                 : ProvingText.PROBLEMS.with(
@@ -156,12 +156,12 @@ public final class ProvingActions {
 
     private static void heat(ActionCall call) throws EditorRefusal {
         var heat = call.session().proving().heat();
-        heat.show(shown(call, heat.isShown()));
+        heat.show(shown(call, heat.isVisible()));
     }
 
     private static void pathTrace(ActionCall call) throws EditorRefusal {
         var corner = call.session().proving().corner();
-        boolean shown = shown(call, corner.isShown());
+        boolean shown = shown(call, corner.isVisible());
         if (call.text("spp").isPresent()) {
             corner.show(shown, call.whole("spp", 1, MOST_SAMPLES, 1));
         } else {
@@ -179,7 +179,7 @@ public final class ProvingActions {
         boolean isAsked = call.text("a").isPresent()
                 || call.text("b").isPresent()
                 || call.text("wipe").isPresent();
-        boolean shows = call.flag("show", isAsked || !comparison.isShown());
+        boolean shows = call.flag("show", isAsked || !comparison.isVisible());
         if (!shows) {
             comparison.hide();
             return;
