@@ -108,7 +108,7 @@ public final class HeightProfile {
         return foot;
     }
 
-    /** Returns how far outside of a body the cloud reaches, in the units of {@link CloudBodies#depth}. */
+    /** Returns how far outside of a body the cloud reaches, in the units of {@link ProfiledNoise#bodyDepth}. */
     double spread() {
         return spread;
     }

@@ -20,6 +20,7 @@ import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherClouds.ChangingCloud;
 import nephele.engine.level.appearance.WeatherCourse;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
@@ -184,9 +185,9 @@ public final class LoadedClouds {
 
     /** Returns the vertical depth of a column of a cloud, as isotropic scattering of the same effect. */
     private static double isotropicDepth(Cloud cloud, ExtinctionField field, double seconds, double x, double z) {
-        CloudMoment moment = CloudMoment.of(cloud, seconds);
-        double base = moment.bounds().minY();
-        double row = moment.heightMetres() / COLUMN_ROWS;
+        Aabb bounds = CloudFields.bounds(cloud, seconds);
+        double base = bounds.minY();
+        double row = (bounds.maxY() - base) / COLUMN_ROWS;
         double sum = 0;
         for (int j = 0; j < COLUMN_ROWS; j++) {
             sum += field.perMetre(x, base + (j + 0.5) * row, z) * row;

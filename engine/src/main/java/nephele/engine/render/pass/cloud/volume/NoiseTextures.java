@@ -8,7 +8,6 @@ import nephele.engine.cloud.field.HeightProfile;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.noise.EvolvingNoise;
-import nephele.engine.cloud.noise.EvolvingNoise.Generation;
 import nephele.engine.cloud.noise.PeriodicTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
@@ -111,18 +110,18 @@ final class NoiseTextures {
         place(noise.shape(), eye.minus(field.origin()), places.shapePlace(), places.shapeComing());
         place(noise.detail(), eye.minus(field.origin()), places.detailPlace(), places.detailComing());
         places.generations.set(
-                noise.shape().weight(Generation.FADING),
-                noise.shape().weight(Generation.COMING),
-                noise.detail().weight(Generation.FADING),
-                noise.detail().weight(Generation.COMING));
+                noise.shape().fadingWeight(),
+                noise.shape().comingWeight(),
+                noise.detail().fadingWeight(),
+                noise.detail().comingWeight());
         places.eroding.set(noise.eroding());
     }
 
     private static void place(EvolvingNoise noise, Vec3 fromOrigin, Uniforms.Vector4 fading, Uniforms.Vector3 coming) {
-        double period = noise.layout().periodMetres();
+        double period = noise.periodMetres();
         Vec3 eye = fromOrigin.scaled(1 / period);
-        fading.set(fraction(eye.plus(noise.offset(Generation.FADING))), 1 / period);
-        coming.set(fraction(eye.plus(noise.offset(Generation.COMING))));
+        fading.set(fraction(eye.plus(noise.fadingOffset())), 1 / period);
+        coming.set(fraction(eye.plus(noise.comingOffset())));
     }
 
     private static Vec3 fraction(Vec3 v) {
