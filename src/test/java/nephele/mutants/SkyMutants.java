@@ -189,8 +189,8 @@ final class SkyMutants {
                     SKY,
                     "half of the sun on the horizon sends all of its light",
                     ENGINE + "atmosphere/SunOverLimb.java",
-                    "double share = 0.5 + (d * half + angle) / Math.PI;",
-                    "double share = 1;",
+                    "double fraction = 0.5 + (d * half + angle) / Math.PI;",
+                    "double fraction = 1;",
                     "SunOverLimbTest"));
 
     private SkyMutants() {}

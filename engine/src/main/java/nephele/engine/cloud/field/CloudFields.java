@@ -123,17 +123,15 @@ public final class CloudFields {
     private ExtinctionField noise(Cloud.Density.Noise noise, CloudFiles files, double slackMetres) {
         double period = NoiseLayouts.PERIOD_FEATURES * noise.featureMetres();
         Vec3 by = driftWithin(period, period);
-        Vec3 origin = isLayer()
-                ? new Vec3(by.x(), bounds.minY(), by.z())
-                : new Vec3(centre.x(), bounds.minY(), centre.z());
+        Vec3 origin =
+                isLayer() ? new Vec3(by.x(), bounds.minY(), by.z()) : new Vec3(centre.x(), bounds.minY(), centre.z());
         NoiseLayouts noises =
                 NoiseLayouts.of(noise, files.tables(), cloud.motion().evolutionSeconds(), seconds);
         PlanMap map = files.voxels() == null ? null : coverageMap(files.voxels(), by);
         NoiseDensity density = noise.profile() == null
                 ? new EvenNoise(noise, noises, map)
                 : new ProfiledNoise(noise, noises, map, bounds);
-        return new NoiseField(
-                bounds, origin, density, noise.featureMetres(), cloud.extinctionPerMetre(), slackMetres);
+        return new NoiseField(bounds, origin, density, noise.featureMetres(), cloud.extinctionPerMetre(), slackMetres);
     }
 
     /** Returns a coverage map relative to the origin of the noise. */

@@ -43,8 +43,7 @@ record CloudFiles(VoxelGrid voxels, boolean areDepths, CloudTables tables) {
         }
         if (cloud.density() instanceof Cloud.Density.Noise noise) {
             String map = noise.coverageMap();
-            return new CloudFiles(
-                    map == null ? null : greys(picture(map, assets)), false, tables.apply(noise.seed()));
+            return new CloudFiles(map == null ? null : greys(picture(map, assets)), false, tables.apply(noise.seed()));
         }
         return new CloudFiles(null, false, null);
     }

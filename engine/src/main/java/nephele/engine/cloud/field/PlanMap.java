@@ -79,9 +79,9 @@ final class PlanMap {
         return near + (row(alongZ.upper(floorW), floorU, u - floorU) - near) * (w - floorW);
     }
 
-    private double row(int k, int floorU, double share) {
+    private double row(int k, int floorU, double fraction) {
         double left = pixels.value(alongX.lower(floorU), 0, k);
-        return left + (pixels.value(alongX.upper(floorU), 0, k) - left) * share;
+        return left + (pixels.value(alongX.upper(floorU), 0, k) - left) * fraction;
     }
 
     boolean isBlack() {

@@ -80,7 +80,8 @@ public final class ProfiledNoise implements NoiseDensity {
      * outside.
      */
     public double bodyDepth(double x, double z) {
-        double mixed = BODY_WEIGHT * noises.bodies().at(x, 0, z) + CLUSTER_WEIGHT * noises.clusters().at(x, 0, z);
+        double mixed = BODY_WEIGHT * noises.bodies().at(x, 0, z)
+                + CLUSTER_WEIGHT * noises.clusters().at(x, 0, z);
         double depth = uncut(fractionBelow(mixed), covered(x, z));
         return halfX == Double.POSITIVE_INFINITY ? depth : Math.min(depth, withinSides(x, z));
     }
@@ -89,7 +90,9 @@ public final class ProfiledNoise implements NoiseDensity {
     public double greatestBodyDepth(double x, double z, double byX, double byZ) {
         double mixed = BODY_WEIGHT * noises.bodies().greatest(x, 0, z, byX, 0, byZ)
                 + CLUSTER_WEIGHT * noises.clusters().greatest(x, 0, z, byX, 0, byZ);
-        double depth = uncut(fractionBelow(mixed), map == null ? coverage : coverage * map.greatest(x - byX, z - byZ, x + byX, z + byZ));
+        double depth = uncut(
+                fractionBelow(mixed),
+                map == null ? coverage : coverage * map.greatest(x - byX, z - byZ, x + byX, z + byZ));
         return halfX == Double.POSITIVE_INFINITY
                 ? depth
                 : Math.min(depth, withinSides(Math.max(0, Math.abs(x) - byX), Math.max(0, Math.abs(z) - byZ)));

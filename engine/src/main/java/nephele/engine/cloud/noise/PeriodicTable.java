@@ -70,7 +70,7 @@ public final class PeriodicTable {
         return greatest;
     }
 
-    /** Returns the table whose values are the ranks of these: each share of 0 to 1 holds as large a share of them. */
+    /** Returns the table whose values are the ranks of these: each fraction of 0 to 1 holds as large a fraction of them. */
     static PeriodicTable ranked(int size, float[] unordered) {
         int[] counts = new int[1 << 16];
         float least = Float.POSITIVE_INFINITY;

@@ -3,7 +3,7 @@ package nephele.engine.render.pass.cloud.volume;
 import java.nio.ByteBuffer;
 import java.nio.ShortBuffer;
 import java.util.List;
-import nephele.engine.cloud.drawn.PlanCells;
+import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.field.HeightProfile;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
@@ -25,8 +25,8 @@ final class NoiseTextures {
     private final Texture detail;
     private final Texture profile;
     private final Texture plan;
-    private List<PlanCells> shownFrom;
-    private List<PlanCells> shownTo;
+    private List<CloudSource.Box> shownFrom;
+    private List<CloudSource.Box> shownTo;
 
     /** The uniforms of {@code cloud-noise.glsl}. */
     record Places(
@@ -56,7 +56,7 @@ final class NoiseTextures {
                 "cloud plan",
                 Texture.Shape.ARRAY,
                 PixelFormat.RG16,
-                new Texture.Extent(PlanCells.ACROSS, PlanCells.ACROSS, boxes),
+                new Texture.Extent(CloudSource.PLAN_COLUMNS, CloudSource.PLAN_COLUMNS, boxes),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -80,18 +80,18 @@ final class NoiseTextures {
     }
 
     /** Shows the plans of two times. */
-    void show(List<PlanCells> from, List<PlanCells> to) {
+    void show(List<CloudSource.Box> from, List<CloudSource.Box> to) {
         if (from == shownFrom && to == shownTo) {
             return;
         }
         shownFrom = from;
         shownTo = to;
-        int texelsOfPlan = PlanCells.ACROSS * PlanCells.ACROSS;
+        int texelsOfPlan = CloudSource.PLAN_COLUMNS * CloudSource.PLAN_COLUMNS;
         ByteBuffer texels = MemoryUtil.memAlloc(2 * Short.BYTES * texelsOfPlan);
         for (int box = 0; box < from.size(); box++) {
             ShortBuffer pairs = texels.clear().asShortBuffer();
-            short[] first = from.get(box).depths();
-            short[] second = to.get(box).depths();
+            short[] first = from.get(box).plan();
+            short[] second = to.get(box).plan();
             for (int at = 0; at < texelsOfPlan; at++) {
                 pairs.put(first[at]).put(second[at]);
             }
