@@ -12,7 +12,6 @@ import nephele.editor.draw.PaneInset.LegendLine;
 import nephele.editor.draw.PaneInset.Pattern;
 import nephele.editor.draw.ViewportDrawing;
 import nephele.editor.draw.ViewportFrame;
-import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
@@ -32,6 +31,7 @@ import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.SessionMarks.Marked;
+import nephele.editor.window.viewport.SurfacePainter.Painting;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
@@ -141,11 +141,10 @@ final class ViewportScene implements SurfacePainter {
             active = panes.get(i).place().index() == layout.active() ? i : active;
         }
         boolean isDark = session.settings().get(EditorSetting.THEME) == Theme.DARK;
-        boolean hasLines = session.settings().get(EditorSetting.GUIDE_LINES);
         Look look = new Look(
                 isDark ? Background.DARK : Background.LIGHT,
                 session.grid().stepMetres(),
-                hasLines ? GuideLines.SHOWN : GuideLines.HIDDEN,
+                session.settings().get(EditorSetting.GUIDE_LINES),
                 scale);
         return new ViewportFrame(
                 session.document().level(),
@@ -218,13 +217,13 @@ final class ViewportScene implements SurfacePainter {
                 ? ""
                 : traced.samples() == 0
                         ? ProvingText.TRACING.in(language)
-                        : ProvingText.TRACED.in(language, traced.samples());
+                        : ProvingText.TRACED.with(traced.samples()).in(language);
         return new PaneInset(
                 legend(session.proving().heat(), language), traced == null ? null : traced.picture(), caption);
     }
 
     private static List<LegendLine> legend(HeatOverlay heat, Language language) {
-        if (!heat.isShown()) {
+        if (!heat.isVisible()) {
             return List.of();
         }
         List<LegendLine> lines = new ArrayList<>();
