@@ -107,7 +107,8 @@ public record EditorAction(
 
     /** Returns an action of the session without parameters that is always possible. */
     static EditorAction of(String id, Words title, Menu menu, List<String> keys, Effect effect) {
-        return new EditorAction(id, title, menu, keys, List.of(), session -> true, session -> false, effect, Subject.SESSION);
+        return new EditorAction(
+                id, title, menu, keys, List.of(), session -> true, session -> false, effect, Subject.SESSION);
     }
 
     /** Returns this action, possible only if a condition holds. */

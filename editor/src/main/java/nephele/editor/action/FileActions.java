@@ -14,14 +14,14 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.BackupList;
+import nephele.editor.file.DroppedFile;
 import nephele.editor.file.DroppedFile.Kind;
 import nephele.editor.file.DroppedFile.SceneUse;
-import nephele.editor.file.DroppedFile;
 import nephele.editor.file.FileText;
 import nephele.editor.file.LevelOpening;
 import nephele.editor.record.EntityRef;
-import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.DocumentFile;
+import nephele.editor.save.DocumentFile.Outside;
 import nephele.editor.save.DocumentSaver;
 import nephele.editor.save.LevelPackage;
 import nephele.editor.save.SaveResult;
@@ -78,35 +78,36 @@ final class FileActions {
                             FileActions::saveAs)
                     .taking("file"),
             EditorAction.of(
-                    "export",
-                    Words.of("Export with Assets…", "Exportar com os arquivos…", "Exportar com os ficheiros…"),
-                    Menu.FILE,
-                    List.of("Ctrl+Shift+E"),
-                    FileActions::export)
-            .taking("file"),
+                            "export",
+                            Words.of("Export with Assets…", "Exportar com os arquivos…", "Exportar com os ficheiros…"),
+                            Menu.FILE,
+                            List.of("Ctrl+Shift+E"),
+                            FileActions::export)
+                    .taking("file"),
             EditorAction.of(
-                    "drop",
-                    Words.of("Add a File…", "Adicionar um arquivo…", "Adicionar um ficheiro…"),
-                    Menu.FILE,
-                    List.of(),
-                    FileActions::drop)
-            .taking("file", "at", "face", "scene"),
+                            "drop",
+                            Words.of("Add a File…", "Adicionar um arquivo…", "Adicionar um ficheiro…"),
+                            Menu.FILE,
+                            List.of(),
+                            FileActions::drop)
+                    .taking("file", "at", "face", "scene"),
             EditorAction.of(
-                    "backups",
-                    Words.of("Backups…", "Cópias de segurança…", "Cópias de segurança…"),
-                    Menu.FILE,
-                    List.of(),
-                    FileActions::backups)
-            .taking("restore", "open")
-            .changing(Subject.LEVEL)
-            .when(session -> session.file().path().isPresent()),
+                            "backups",
+                            Words.of("Backups…", "Cópias de segurança…", "Cópias de segurança…"),
+                            Menu.FILE,
+                            List.of(),
+                            FileActions::backups)
+                    .taking("restore", "open")
+                    .changing(Subject.LEVEL)
+                    .when(session -> session.file().path().isPresent()),
             EditorAction.of(
-                    "recover",
-                    Words.of("Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
-                    Menu.FILE,
-                    List.of(),
-                    call -> call.ui().show("recover"))
-            .changing(Subject.WINDOW),
+                            "recover",
+                            Words.of(
+                                    "Recover Lost Work…", "Recuperar trabalho perdido…", "Recuperar trabalho perdido…"),
+                            Menu.FILE,
+                            List.of(),
+                            call -> call.ui().show("recover"))
+                    .changing(Subject.WINDOW),
             EditorAction.of(
                             "screenshot",
                             Words.of("Picture of the Editor…", "Imagem do editor…", "Imagem do editor…"),
@@ -236,8 +237,7 @@ final class FileActions {
         Optional<SceneUse> use = kind == Kind.SCENE ? sceneUse(call, asked.get()) : Optional.of(SceneUse.INSERT);
         boolean isReplaced = kind.replacesLevel() || use.equals(Optional.of(SceneUse.REPLACE));
         if (use.isPresent() && (!isReplaced || mayLeave(call))) {
-            new DroppedFile(call.session(), asked.get())
-                    .dropOn(call.vector("at", Vec3.ZERO), face(call), use.get());
+            new DroppedFile(call.session(), asked.get()).dropOn(call.vector("at", Vec3.ZERO), face(call), use.get());
         }
     }
 

@@ -11,8 +11,8 @@ import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.terrain.LayerChoice;
-import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainBrush;
+import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainPainting;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
@@ -47,8 +47,7 @@ final class TerrainActions {
         List<EditorAction> all = new ArrayList<>();
         for (Effect effect : Effect.values()) {
             String id = "terrain-" + effect.name().toLowerCase(Locale.ROOT);
-            all.add(EditorAction.of(
-                            id, effect.title(), Menu.TERRAIN, List.of(), call -> choose(call.session(), effect))
+            all.add(EditorAction.of(id, effect.title(), Menu.TERRAIN, List.of(), call -> choose(call.session(), effect))
                     .chosenWhen(session -> session.options().terrainBrush().effect() == effect));
         }
         all.add(sized(

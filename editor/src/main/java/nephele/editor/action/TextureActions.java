@@ -21,8 +21,8 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
@@ -128,7 +128,8 @@ final class TextureActions {
         document.edit(PLACE, null, before -> before.with(after));
     }
 
-    private static Solid placed(Level level, Solid solid, Set<String> faces, Function<PaintedFace, TexturePlacement> placing) {
+    private static Solid placed(
+            Level level, Solid solid, Set<String> faces, Function<PaintedFace, TexturePlacement> placing) {
         Function<String, Material> materials = id -> level.materials().stream()
                 .filter(material -> material.id().equals(id))
                 .findFirst()

@@ -138,7 +138,9 @@ final class ToolActions {
             session.status((isOn ? ON : OFF).with(title));
         };
         String id = "snap-" + target.name().toLowerCase(Locale.ROOT);
-        all.add(toggled(id, title, Menu.VIEW, toggle, session -> session.options().snapping().contains(target))
+        all.add(toggled(id, title, Menu.VIEW, toggle, session -> session.options()
+                        .snapping()
+                        .contains(target))
                 .keyed("Alt+Shift+" + digit));
     }
 
@@ -163,11 +165,13 @@ final class ToolActions {
 
     private static void keep(List<EditorAction> all, String id, Words title, Keep keep) {
         all.add(toggled(
-                id,
-                title,
-                Menu.BRUSH,
-                session -> clip(session).ifPresent(tool -> tool.keep(keep)),
-                session -> clip(session).filter(tool -> tool.keep() == keep).isPresent())
+                        id,
+                        title,
+                        Menu.BRUSH,
+                        session -> clip(session).ifPresent(tool -> tool.keep(keep)),
+                        session -> clip(session)
+                                .filter(tool -> tool.keep() == keep)
+                                .isPresent())
                 .when(session -> clip(session).isPresent()));
     }
 }

@@ -8,16 +8,16 @@ import nephele.editor.document.Document;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Grid;
 import nephele.editor.pane.PaneCamera.PaneSize;
-import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
@@ -43,11 +43,12 @@ final class ViewActions {
             panes("two-panes", Words.of("Two Panes", "Dois painéis", "Dois painéis"), Arrangement.TWO, "Ctrl+2"),
             panes("four-panes", Words.of("Four Panes", "Quatro painéis", "Quatro painéis"), Arrangement.FOUR, "Ctrl+4"),
             EditorAction.of(
-                    "maximise",
-                    Words.of("Maximise Pane", "Maximizar painel", "Maximizar painel"),
-                    Menu.VIEW,
-                    List.of("Shift+Space"),
-                    call -> call.session().panes(PaneLayout::maximiseToggled)).chosenWhen(session -> session.panes().isMaximised()),
+                            "maximise",
+                            Words.of("Maximise Pane", "Maximizar painel", "Maximizar painel"),
+                            Menu.VIEW,
+                            List.of("Shift+Space"),
+                            call -> call.session().panes(PaneLayout::maximiseToggled))
+                    .chosenWhen(session -> session.panes().isMaximised()),
             EditorAction.of(
                     "cycle-view",
                     Words.of("Next View", "Próxima vista", "Vista seguinte"),
@@ -87,13 +88,22 @@ final class ViewActions {
                                             call.session().grid().stepMetres()))))
                     .taking("metres"),
             EditorAction.of(
-                    "guide-lines",
-                    Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"),
-                    Menu.VIEW,
-                    List.of("Shift+G"),
-                    call -> call.session().settings(guideLines(call.session()))).chosenWhen(session -> session.settings().get(EditorSetting.GUIDE_LINES)),
-            setting("theme-light", Words.of("Light Theme", "Tema claro", "Tema claro"), EditorSetting.THEME, Theme.LIGHT),
-            setting("theme-dark", Words.of("Dark Theme", "Tema escuro", "Tema escuro"), EditorSetting.THEME, Theme.DARK),
+                            "guide-lines",
+                            Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"),
+                            Menu.VIEW,
+                            List.of("Shift+G"),
+                            call -> call.session().settings(guideLines(call.session())))
+                    .chosenWhen(session -> session.settings().get(EditorSetting.GUIDE_LINES)),
+            setting(
+                    "theme-light",
+                    Words.of("Light Theme", "Tema claro", "Tema claro"),
+                    EditorSetting.THEME,
+                    Theme.LIGHT),
+            setting(
+                    "theme-dark",
+                    Words.of("Dark Theme", "Tema escuro", "Tema escuro"),
+                    EditorSetting.THEME,
+                    Theme.DARK),
             language(Language.EN),
             language(Language.PT_BR),
             language(Language.PT_PT));
@@ -118,13 +128,14 @@ final class ViewActions {
 
     private static EditorAction mode(String id, Words title, ViewMode mode, String key) {
         return EditorAction.of(id, title, Menu.VIEW, List.of(key), call -> call.session()
-                        .panes(panes -> panes.with(panes.active(), panes.activeView().with(mode))))
+                        .panes(panes ->
+                                panes.with(panes.active(), panes.activeView().with(mode))))
                 .chosenWhen(session -> session.panes().activeView().mode() == mode);
     }
 
     private static EditorAction panes(String id, Words title, Arrangement arrangement, String key) {
-        return EditorAction.of(
-                        id, title, Menu.VIEW, List.of(key), call -> call.session().panes(panes -> panes.with(arrangement)))
+        return EditorAction.of(id, title, Menu.VIEW, List.of(key), call -> call.session()
+                        .panes(panes -> panes.with(arrangement)))
                 .chosenWhen(session -> session.panes().arrangement() == arrangement);
     }
 
