@@ -3,8 +3,8 @@ package nephele.lab.trade.subject;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.ShotRay;
@@ -59,7 +59,7 @@ public final class PlacementSubject implements Experiment {
         /** Returns the exact search's answer for the aimed place only. */
         boolean fits() {
             ShotRay aim = rectangle.shot().aim;
-            return fixed.place("shot", aim, List.of(), MovingSurfaces.NONE) instanceof PlacementResult.Fits;
+            return fixed.place("shot", aim, List.of(), Obstacles.NONE) instanceof PlacementResult.Fits;
         }
     }
 
