@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.document.Clip;
 import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
@@ -327,7 +327,7 @@ public final class DroppedFile {
 
     private void addTerrain(String asset, Vec3 at) {
         String id = freshId("terrains", asset);
-        Terrain made = (Terrain) NewRecord.at(RecordKind.of(Terrain.class), id, at);
+        Terrain made = (Terrain) AddedRecord.at(RecordKind.of(Terrain.class), id, at);
         add(FileText.ADD_TERRAIN.words(), "terrains", id, made.withHeightMap(asset));
     }
 

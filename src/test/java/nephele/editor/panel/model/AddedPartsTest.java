@@ -34,7 +34,7 @@ class AddedPartsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("nephele.editor.added.NewRecordTest#everyKind")
+    @MethodSource("nephele.editor.added.AddedRecordTest#everyKind")
     void aNewEntityMakesNoErrorsAndNeitherDoItsParts(String kind) {
         ScriptedSession session = ScriptedSession.empty().run("brush box min=-9,-1,-9 max=9,0,9");
         if (kind.startsWith("portals.")) {

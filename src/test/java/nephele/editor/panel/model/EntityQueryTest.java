@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Set;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordKind;
@@ -22,7 +22,7 @@ class EntityQueryTest {
     private static final EntityRef LAMP = new EntityRef("lights", "lamp");
     private static final Record BOX = new Solid.Box(
             "north-wall", "brick", true, TextureMapping.WORLD, Vec3.ZERO, new Vec3(1, 5, 1), java.util.Map.of());
-    private static final Record LIGHT = NewRecord.at(RecordKind.of(Light.Point.class), "lamp", new Vec3(1, 2, 3));
+    private static final Record LIGHT = AddedRecord.at(RecordKind.of(Light.Point.class), "lamp", new Vec3(1, 2, 3));
     private static final EntityStatus STATUS =
             new EntityStatus(List.of(), Set.of("solids/north-wall"), Set.of("lights/lamp"));
 

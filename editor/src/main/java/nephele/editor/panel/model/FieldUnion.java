@@ -14,7 +14,7 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 import nephele.engine.level.EditorNotes;
 
 /** Lists the fields that any of some records has; lists of entities are left out, since they have selections of their own. */
@@ -113,7 +113,7 @@ final class FieldUnion {
         for (Object key : keys.iterator().next()) {
             List<Object> entries = new ArrayList<>();
             tables.forEach(table -> entries.add(((Map<?, ?>) table).get(key)));
-            entry(path.entry(key), depth, ChoiceWord.of(key), field, entries);
+            entry(path.entry(key), depth, FieldWords.choiceInFiles(key), field, entries);
         }
     }
 

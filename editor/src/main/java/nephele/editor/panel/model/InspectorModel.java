@@ -10,8 +10,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
@@ -75,7 +74,7 @@ public final class InspectorModel {
     }
 
     private static Record completed(Record before, Record after) {
-        return before instanceof Level old && after instanceof Level level ? Completion.of(old, level) : after;
+        return before instanceof Level old && after instanceof Level level ? AddedRecord.completed(old, level) : after;
     }
 
     /** Returns the root with another kind of record in a field; components of the same name and class stay. */
@@ -84,7 +83,7 @@ public final class InspectorModel {
     }
 
     private static Object converted(Object old, RecordKind kind) {
-        Record made = NewRecord.at(kind, FieldType.NEW, Vec3.ZERO);
+        Record made = AddedRecord.at(kind, FieldType.NEW, Vec3.ZERO);
         if (!(old instanceof Record before)) {
             return made;
         }

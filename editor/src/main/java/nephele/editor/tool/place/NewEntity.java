@@ -2,8 +2,7 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -72,7 +71,7 @@ record NewEntity(String section, Record entity) {
     }
 
     private static Record made(RecordKind kind, String id, Vec3 at, ToolOptions options, Level level) {
-        Record record = NewRecord.at(kind, id, at);
+        Record record = AddedRecord.at(kind, id, at);
         if (record instanceof Solid) {
             return painted(record, options, level);
         }
@@ -92,7 +91,7 @@ record NewEntity(String section, Record entity) {
             for (Class<?> type : field.declaration().beside() ? field.recordClasses() : List.<Class<?>>of()) {
                 RecordKind variant = RecordKind.of(type);
                 if (variant.name().equals(wanted)) {
-                    return kind.with(record, field, NewRecord.at(variant, "", at));
+                    return kind.with(record, field, AddedRecord.at(variant, "", at));
                 }
             }
         }
@@ -122,8 +121,8 @@ record NewEntity(String section, Record entity) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level added = Completion.of(before.level(), (Level) entities.added(base, section, entity));
-        Level level = Completion.paired(before.level(), added);
+        Level added = AddedRecord.completed(before.level(), (Level) entities.added(base, section, entity));
+        Level level = AddedRecord.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
     }
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 @Execution(ExecutionMode.CONCURRENT)
-class NewRecordTest {
+class AddedRecordTest {
     private static final Vec3 AT = new Vec3(1, 2, 3);
 
     static Stream<String> everyKind() {
