@@ -117,7 +117,7 @@ class TextureFitTest {
     @ParameterizedTest
     @EnumSource(TextureAlignment.class)
     void anAlignedPictureLiesAtItsEdge(TextureAlignment alignment) {
-        double share = alignment.share();
+        double fraction = alignment.fraction();
         int axis = alignment.isHorizontal() ? 0 : 2;
         for (PaintedFace face : faces(10, TextureMapping.WORLD)) {
             TexturePlacement aligned = TextureFit.align(face, alignment);

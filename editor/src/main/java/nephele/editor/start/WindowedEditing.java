@@ -50,7 +50,7 @@ public final class WindowedEditing {
         this.session = session;
         this.files = files;
         this.report = report;
-        game = new WarmGame(gameLine, new Told());
+        game = new WarmGame(gameLine, new GameReports());
     }
 
     /** Opens the window on the event dispatch thread; returns at once. */
@@ -128,8 +128,8 @@ public final class WindowedEditing {
         }
     }
 
-    /** Tells what happens to the game. */
-    private final class Told implements WarmGame.Listener {
+    /** Reports what happens to the game. */
+    private final class GameReports implements WarmGame.Listener {
         @Override
         public void ready() {
             // Nothing to tell: it is only sooner next time.
