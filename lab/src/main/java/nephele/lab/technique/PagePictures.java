@@ -2,6 +2,7 @@ package nephele.lab.technique;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -24,7 +25,7 @@ import nephele.lab.trade.Pictures;
 import nephele.lab.trade.Provenance;
 
 /** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
-final class PagePictures implements HandoutPage.Source, AutoCloseable {
+final class PagePictures implements AutoCloseable {
     /** Frames after which what reuses earlier ones has settled. */
     private static final int FRAMES = 4;
 
@@ -41,8 +42,16 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
         this.tell = tell;
     }
 
-    @Override
-    public Optional<String> address(PictureCommand command) throws IOException {
+    /** Returns a picture as the address of an image element; empty if its level does not exist. */
+    Optional<String> address(PictureCommand command) {
+        try {
+            return drawn(command);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    private Optional<String> drawn(PictureCommand command) throws IOException {
         String key = command.words() + " " + width + "x" + height + " " + Provenance.codeHash();
         Path file = folder.resolve("page-" + Long.toHexString(Hash64.of(key)) + ".png");
         if (!Files.exists(file)) {
