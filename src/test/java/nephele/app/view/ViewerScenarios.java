@@ -64,7 +64,7 @@ public final class ViewerScenarios {
                         "takes the camera along", () -> {}, () -> place().eye().x() < -0.5),
                 new Scenario("rests again", () -> input.key(GLFW_KEY_D, false), () -> place().bankDegrees() == 0),
                 new Scenario("shows wires", () -> press(GLFW_KEY_F1), () -> look().shading() == Shading.WIREFRAME),
-                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes() == SceneAppearance.Axes.SHOWN),
+                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes()),
                 new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
                 new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
                 new Scenario("fills the screen", () -> press(GLFW_KEY_F11), () -> isSize(1024, 600)),

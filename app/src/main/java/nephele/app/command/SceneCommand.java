@@ -160,7 +160,7 @@ final class SceneCommand implements Command {
             }
             var shown = SceneAppearance.USUAL
                     .with(wireframe ? Shading.WIREFRAME : shading == null ? Shading.GOURAUD : shading)
-                    .with(axes ? SceneAppearance.Axes.SHOWN : SceneAppearance.Axes.HIDDEN);
+                    .withAxes(axes);
             return terms == null ? shown : shown.with(EnumSet.copyOf(terms));
         }
     }
