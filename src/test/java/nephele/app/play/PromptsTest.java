@@ -19,15 +19,14 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.GunPortals;
-import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
+import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.SimSettings;
-import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
-import nephele.host.playthrough.CrosshairState;
+import nephele.engine.sim.state.TickEvent;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
+import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.ReplayInput;
 import nephele.host.playthrough.TickInput;
@@ -130,7 +129,7 @@ class PromptsTest {
     }
 
     private String text(Playthrough playthrough, Shot first, long unevenMillimetres) {
-        Half half = new Half(Portal.NONE, first, unevenMillimetres);
+        Half half = new Half(false, first, unevenMillimetres);
         return prompts.text(playthrough, new CrosshairState(0, 0, half, half), settings, device);
     }
 

@@ -13,12 +13,12 @@ import nephele.engine.render.frame.Output;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
-import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import picocli.CommandLine;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
 public final class CommandLineFront {
@@ -97,7 +97,7 @@ public final class CommandLineFront {
                 return ExitCode.DONE;
             }
             OptionRange.check(commandLine, parsed);
-            return command.run(common.verbose ? terminal.with(Terminal.Detail.VERBOSE) : terminal);
+            return command.run(terminal.verbose(common.verbose));
         } catch (ParameterException wrongUsage) {
             terminal.err()
                     .println("nephele " + entry.name() + ": " + OptionRange.message(wrongUsage) + proposal(wrongUsage));

@@ -26,7 +26,6 @@ import nephele.host.compare.TechniquePair;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
-import nephele.host.named.ReplayOrigin;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
@@ -167,7 +166,7 @@ final class PlayCommand implements Command {
         }
         boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
         var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
-        var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
+        var log = terminal.isVerbose() ? terminal.err() : null;
         var files = new PlayerFiles(UserFolders.ofThisUser());
         files.takeProblems().forEach(terminal.err()::println);
         var picture = picture(Settings.resolution(files.settings()));
@@ -213,7 +212,7 @@ final class PlayCommand implements Command {
         }
         Replay read = LevelName.replay(replay);
         if (read.levelName() != null || read.levelSha256() != null) {
-            ReplayOrigin.require(name.open(), replay, read, terminal.err());
+            name.open().requireRecordedHere(read, replay, terminal.err());
         }
         if (takeOver != null && (takeOver < 0 || takeOver > read.ticks())) {
             throw CommandFailure.usage(

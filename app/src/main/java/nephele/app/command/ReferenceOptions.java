@@ -20,7 +20,6 @@ import nephele.engine.reference.tile.TiledPicture;
 import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
@@ -124,8 +123,8 @@ public final class ReferenceOptions {
             return seen;
         }
         var eye = TracedPictures.pinhole(seen.view);
-        PlacedLevel metered = AssetProblems.named(
-                opened, () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
+        PlacedLevel metered =
+                opened.reporting(() -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
         return new Seen(opened.edited(metered), seen.view, seen.seconds);
     }
 
@@ -175,7 +174,7 @@ public final class ReferenceOptions {
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
-        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
+        var level = seen.opened.reporting(() -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = TracedPictures.pinhole(seen.view);
         var facts = TracedPictures.facts(
                 seen.opened, seen.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());

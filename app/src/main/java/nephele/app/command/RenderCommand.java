@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -21,7 +22,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
-import nephele.host.named.AssetProblems;
+import nephele.engine.scene.View;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
@@ -88,18 +89,18 @@ final class RenderCommand implements Command {
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.view(0), timeSeconds), picture);
+            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.apply(0), timeSeconds), picture);
             reference.trace(seen, picture, out, radiance -> save(radiance, seen.opened()), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();
                 var target = picture.target(gl);
-                var renderer = AssetProblems.named(opened, () -> renderer(opened, gl, terminal))) {
+                var renderer = opened.reporting(() -> renderer(opened, gl, terminal))) {
             var state = FrameState.atStart(renderer.scene().level());
             state.seconds(timeSeconds);
             observe(renderer, state);
             for (int frame = 0; frame < frames; frame++) {
-                renderer.draw(viewpoint.view(0), state, target);
+                renderer.draw(viewpoint.apply(0), state, target);
             }
             gl.requireNoError("render");
             save(renderer, target);
@@ -229,7 +230,7 @@ final class RenderCommand implements Command {
         @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
         private Double fovDegrees;
 
-        Viewpoints.OfFrame in(OpenedLevel opened, double aspect) {
+        IntFunction<View> in(OpenedLevel opened, double aspect) {
             if ((eye == null) != (target == null)) {
                 throw CommandFailure.usage("--eye and --target need each other");
             }

@@ -3,8 +3,8 @@ package nephele.app.play;
 import java.util.Optional;
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -12,12 +12,11 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
-import nephele.host.compare.CloudComparison;
 import nephele.host.compare.CloudComparison.ComparedScenes;
+import nephele.host.compare.CloudComparison;
 import nephele.host.compare.TechniquePair;
 import nephele.host.compare.Wipe;
 import nephele.host.draw.Preparation;
-import nephele.host.named.AssetProblems;
 import nephele.host.terminal.CommandFailure;
 
 /** Draws a level that is played: by one renderer, or by two techniques of its clouds that are compared. */
@@ -47,13 +46,11 @@ final class SessionPicture implements AutoCloseable {
                 .with(CharacterPresence.POSSIBLE);
         if (request.compared() == null) {
             return new SessionPicture(
-                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)),
-                    null);
+                    prepared.opened().reporting(() -> LevelRenderer.load(gl, prepared.scene(), settings)), null);
         }
         requireClouds(request, prepared.scene());
         ComparedScenes scenes = ComparedScenes.ofAllClouds(prepared.scene(), request.compared());
-        return new SessionPicture(
-                null, AssetProblems.named(prepared.opened(), () -> CloudComparison.load(gl, scenes, settings)));
+        return new SessionPicture(null, prepared.opened().reporting(() -> CloudComparison.load(gl, scenes, settings)));
     }
 
     private static void requireClouds(PlayRequest request, Scene scene) {

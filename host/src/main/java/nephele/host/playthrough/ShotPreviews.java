@@ -5,8 +5,8 @@ import java.util.List;
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
-import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
+import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.scene.FrameState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.GunPortals;
@@ -78,7 +78,7 @@ final class ShotPreviews {
         boolean made = state.world().shots().portal(shot) != GunPortals.UNFIRED;
         boolean opens = would instanceof PlacementResult.Fits;
         return new CrosshairState.Half(
-                made ? CrosshairState.Portal.MADE : CrosshairState.Portal.NONE,
+                made,
                 opens ? CrosshairState.Shot.OPENS : CrosshairState.Shot.REFUSED,
                 isUneven(would)
                         ? PlacementResult.Refused.millimetres(((PlacementResult.Refused) would).unevenMetres())

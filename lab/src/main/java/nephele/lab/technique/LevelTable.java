@@ -13,8 +13,8 @@ import nephele.engine.asset.TextFile;
 import nephele.engine.choice.CloudColumns;
 import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
-import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
+import nephele.engine.choice.ErrorTable;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
@@ -165,7 +165,7 @@ public final class LevelTable {
             views.add(View.ofCamera(camera, 0, aspect));
         }
         if (views.isEmpty()) {
-            views.add(Viewpoints.standard(level, opened.file(), aspect).view(0));
+            views.add(Viewpoints.standard(level, opened.file(), aspect).apply(0));
         }
         Environment environment = alone(level.environment()).withClouds(List.of(cloud));
         Level open = Level.of(level.name(), "", environment, level.cameras()).with(level.player(), null);

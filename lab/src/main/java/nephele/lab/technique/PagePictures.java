@@ -18,7 +18,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.lab.trade.Pictures;
@@ -75,7 +75,7 @@ final class PagePictures implements AutoCloseable {
         Level level = command.shown(opened.level());
         PlacedLevel placed = PlacedLevel.of(level, opened.assets());
         var settings = command.quality()
-                .settings(Outputs.defaultFor(level), gl.limits().software());
+                .settings(QualityChoice.defaultOutput(level), gl.limits().software());
         try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, width, height);
                 var renderer = LevelRenderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
             FrameState state = FrameState.atStart(level);

@@ -60,9 +60,9 @@ record PictureCommand(
         }
         String camera = options.get("--camera");
         return camera == null
-                ? Viewpoints.standard(opened.level(), opened.file(), aspect).view(0)
+                ? Viewpoints.standard(opened.level(), opened.file(), aspect).apply(0)
                 : Viewpoints.named(opened.level(), opened.file(), camera, aspect)
-                        .view(0);
+                        .apply(0);
     }
 
     double seconds() {

@@ -19,10 +19,9 @@ import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.scene.ShotPalette;
 import nephele.host.compare.Wipe;
-import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
+import nephele.host.playthrough.CrosshairState;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -166,7 +165,7 @@ class OverlayLayoutTest {
     }
 
     private static Half half() {
-        return new Half(Portal.NONE, Shot.REFUSED, 0);
+        return new Half(false, Shot.REFUSED, 0);
     }
 
     private static List<Figure> figures(int count) {

@@ -17,7 +17,7 @@ class CloudRaysTest {
     void longerStepsEvaluateLessAndMissMore() {
         OpenedLevel opened = new LevelName("levels/samples/clouds-grid.json").open();
         PlacedLevel placed = opened.placed();
-        View view = Viewpoints.standard(opened.level(), opened.file(), 4).view(0);
+        View view = Viewpoints.standard(opened.level(), opened.file(), 4).apply(0);
         try (var rays = new CloudRays(placed, view)) {
             rays.march(0.5);
             double evaluations = rays.evaluations();

@@ -2,10 +2,9 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
-import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
+import nephele.host.playthrough.CrosshairState;
 
 /**
  * The crosshair: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons.
@@ -77,7 +76,7 @@ final class Crosshair {
     private record Face(String hollow, String filled, OverlayColour colour) {}
 
     private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {
-        String letter = half.portal() == Portal.MADE ? face.filled : face.hollow;
+        String letter = half.isMade() ? face.filled : face.hollow;
         boolean opens = half.shot() == Shot.OPENS;
         OverlayColour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
         edged(canvas, left, y + RISE, EM, colour, letter);
