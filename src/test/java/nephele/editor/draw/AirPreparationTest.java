@@ -27,23 +27,15 @@ class AirPreparationTest {
     private DoubleConsumer progress;
 
     private final AirPreparation air = new AirPreparation(
-            new AirPreparation.AirStore() {
-                @Override
-                public boolean has(Environment environment) {
-                    return kept.contains(haze(environment));
-                }
+            environment -> kept.contains(haze(environment)), this::prepare, later::add, () -> repaints++);
 
-                @Override
-                public void prepare(Environment environment, DoubleConsumer told) {
-                    progress = told;
-                    if (haze(environment) > 90) {
-                        throw new IllegalStateException("no memory");
-                    }
-                    kept.add(haze(environment));
-                }
-            },
-            later::add,
-            () -> repaints++);
+    private void prepare(Environment environment, DoubleConsumer reported) {
+        progress = reported;
+        if (haze(environment) > 90) {
+            throw new IllegalStateException("no memory");
+        }
+        kept.add(haze(environment));
+    }
 
     private static double haze(Environment environment) {
         return ((Sky.Atmosphere) environment.sky()).mieScale();

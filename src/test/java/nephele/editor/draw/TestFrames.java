@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
@@ -71,7 +70,7 @@ final class TestFrames {
     static ViewportFrame frame(Level level, AssetSource assets, PaneCamera camera, ViewMode mode, List<Mark> marks) {
         PaneView view = PaneView.of(PaneKind.PERSPECTIVE, mode).with(camera);
         Pane pane = new Pane(new PaneRectangle(0, 0, 0, WIDTH, HEIGHT), view, "", List.of());
-        Look look = new Look(Background.DARK, 0.125, GuideLines.HIDDEN, 1);
+        Look look = new Look(Background.DARK, 0.125, false, 1);
         return new ViewportFrame(level, assets, List.of(pane), 0, marks, look, true);
     }
 }

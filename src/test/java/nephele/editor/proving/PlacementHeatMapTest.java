@@ -17,9 +17,9 @@ import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
@@ -76,7 +76,7 @@ class PlacementHeatMapTest {
                     ? Basis.ofYawPitch(0.3, -normal.y() * Math.PI / 2)
                     : Basis.lookAt(normal, Vec3.ZERO, new Vec3(0, 1, 0), Basis.WORLD);
             Vec3 eye = cell.aim().addScaled(0.05, normal);
-            PlacementResult shot = placement.place("p", new ShotRay(eye, view), fixed, MovingSurfaces.NONE);
+            PlacementResult shot = placement.place("p", new ShotRay(eye, view), fixed, Obstacles.NONE);
             if (shot instanceof PlacementResult.Fits fits) {
                 assertEquals(fits.slideMetres(), cell.metres(), 1e-5, cell.toString());
                 assertTrue(cell.colour() != MarkColour.REFUSED, cell.toString());

@@ -17,7 +17,7 @@ class ExitRulesTest {
         for (Exit exit : exits) {
             level.exit(exit);
         }
-        return LevelRules.check(List.of(IdRules.UNIQUE, ExitRules.REACHABLE), level.level(), null, null);
+        return LevelRules.check(List.of(IdRules.UNIQUE, GuidanceRules.EXITS), level.level(), null, null);
     }
 
     @Test

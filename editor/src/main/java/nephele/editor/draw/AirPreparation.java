@@ -3,7 +3,9 @@ package nephele.editor.draw;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
 import java.util.function.DoubleConsumer;
+import java.util.function.Predicate;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -15,41 +17,39 @@ import nephele.engine.level.appearance.Daylight;
  * the air that was ready last.
  */
 final class AirPreparation implements AutoCloseable {
-    private final AirStore store;
+    private final Predicate<Environment> isPrepared;
+    private final BiConsumer<Environment, DoubleConsumer> prepare;
     private final Executor background;
     private final Runnable whenReady;
     private Sky.Atmosphere ready = Sky.Atmosphere.CLEAR;
     private Sky.Atmosphere coming;
     private CompletableFuture<Void> running;
     private Level followed;
-    private Level shown;
+    private Level prepared;
     private volatile boolean isClosed;
 
-    /** The computed light of air. */
-    interface AirStore {
-        /** The user's cache folder. */
-        AirStore OF_USER = new AirStore() {
-            @Override
-            public boolean has(Environment environment) {
-                return AirCache.has(environment);
-            }
-
-            @Override
-            public void prepare(Environment environment, DoubleConsumer progress) {
-                AirCache.prepare(environment, progress);
-            }
-        };
-
-        /** Returns true if the air of an environment can be drawn at once. */
-        boolean has(Environment environment);
-
-        /** Computes the light of an environment's air, in seconds. */
-        void prepare(Environment environment, DoubleConsumer progress);
+    /**
+     * Creates a preparation of the light of air in the user's cache.
+     *
+     * @param whenReady called on a thread of {@code background}
+     */
+    AirPreparation(Executor background, Runnable whenReady) {
+        this(AirCache::has, AirCache::prepare, background, whenReady);
     }
 
-    /** @param whenReady called on a thread of {@code background} */
-    AirPreparation(AirStore store, Executor background, Runnable whenReady) {
-        this.store = store;
+    /**
+     * Creates a preparation of light that is kept elsewhere.
+     *
+     * @param isPrepared returns true if the air of an environment can be drawn at once
+     * @param prepare computes the light of an environment's air, in seconds, and reports its progress
+     */
+    AirPreparation(
+            Predicate<Environment> isPrepared,
+            BiConsumer<Environment, DoubleConsumer> prepare,
+            Executor background,
+            Runnable whenReady) {
+        this.isPrepared = isPrepared;
+        this.prepare = prepare;
         this.background = background;
         this.whenReady = whenReady;
     }
@@ -64,9 +64,9 @@ final class AirPreparation implements AutoCloseable {
         }
         if (level != followed || isDone) {
             followed = level;
-            shown = drawable(level);
+            prepared = drawable(level);
         }
-        return shown;
+        return prepared;
     }
 
     private Level drawable(Level level) {
@@ -74,13 +74,13 @@ final class AirPreparation implements AutoCloseable {
         if (!(environment.sky() instanceof Sky.Atmosphere sky)) {
             return level;
         }
-        if (Daylight.air(sky).equals(Daylight.air(ready)) || store.has(environment)) {
+        if (Daylight.air(sky).equals(Daylight.air(ready)) || isPrepared.test(environment)) {
             ready = sky;
             return level;
         }
         if (running == null) {
             coming = sky;
-            running = CompletableFuture.runAsync(() -> store.prepare(environment, this::progress), background);
+            running = CompletableFuture.runAsync(() -> prepare.accept(environment, this::progress), background);
             running.whenComplete((nothing, failure) -> whenReady.run());
         }
         return level.with(environment.with(sky.withAirOf(ready)), level.lights());

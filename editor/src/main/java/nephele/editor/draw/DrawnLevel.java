@@ -24,61 +24,6 @@ import nephele.engine.scene.light.bake.SkyVisibility;
 
 /** One document on the GPU, in the view modes that were used so far. What cannot be drawn is left out and reported. */
 final class DrawnLevel implements AutoCloseable {
-    /** The sky's light of an edited level, baked in the background; until it is ready, that of an earlier version. */
-    private static final class SkyBake implements AutoCloseable {
-        private final Executor background;
-        private final Runnable whenReady;
-        private StaticShapes started;
-        private CompletableFuture<SkyVisibility> running;
-        private SkyVisibility latest;
-        private volatile boolean isClosed;
-
-        /** @param whenReady called on a thread of {@code background} */
-        SkyBake(Executor background, Runnable whenReady) {
-            this.background = background;
-            this.whenReady = whenReady;
-        }
-
-        /** Returns the last visibility that is ready; {@code null} for none. */
-        SkyVisibility latest() {
-            if (running != null && running.isDone()) {
-                latest = result(running);
-                running = null;
-            }
-            return latest;
-        }
-
-        /** Returns the earlier visibility if a bake fails: a picture with old light is better than none. */
-        private SkyVisibility result(CompletableFuture<SkyVisibility> done) {
-            try {
-                return done.join();
-            } catch (CompletionException | CancellationException failed) {
-                return latest;
-            }
-        }
-
-        /** Starts a bake if the sky lights the level, its shapes differ from the last ones, and none runs. */
-        void follow(PlacedLevel placed) {
-            boolean isNew = placed.statics() != started && LightRequirements.skyVisibility(placed.level());
-            if (isNew && running == null) {
-                started = placed.statics();
-                running = CompletableFuture.supplyAsync(() -> BakedSky.of(placed, this::progress), background);
-                running.whenComplete((visibility, failure) -> whenReady.run());
-            }
-        }
-
-        private void progress(double done) {
-            if (isClosed) {
-                throw new CancellationException();
-            }
-        }
-
-        @Override
-        public void close() {
-            isClosed = true;
-        }
-    }
-
     private final GlContext gl;
     private final AssetSource assets;
     private final Background background;
@@ -87,13 +32,14 @@ final class DrawnLevel implements AutoCloseable {
     private final Map<ViewMode, LevelPicture> pictures = new EnumMap<>(ViewMode.class);
     private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
     private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
-    private final SkyBake bake;
+    private final Executor executor;
+    private final Runnable repaintSoon;
     private final AirPreparation air;
     private PlacedLevel placed;
     /** The level that was placed; the placed one may have the sun of its hour. */
     private Level placedFrom;
 
-    private Level shown;
+    private Level level;
     /** Without what is hidden, and in air that can be drawn at once. */
     private Level wanted;
     /** {@code null} if the last version could be derived. */
@@ -101,12 +47,27 @@ final class DrawnLevel implements AutoCloseable {
 
     private double elapsed;
 
+    /** The shapes whose sky's light was baked last, or is. */
+    private StaticShapes lit;
+    /** {@code null} while no bake runs. */
+    private CompletableFuture<SkyVisibility> bake;
+    /** The last light that was ready; {@code null} for none. */
+    private SkyVisibility light;
+
+    private volatile boolean isClosed;
+
+    /**
+     * Creates an empty drawing.
+     *
+     * @param repaintSoon called on a thread of {@code executor} when more than before is ready
+     */
     DrawnLevel(GlContext gl, AssetSource assets, Background background, Executor executor, Runnable repaintSoon) {
         this.gl = gl;
         this.assets = assets;
         this.background = background;
-        bake = new SkyBake(executor, repaintSoon);
-        air = new AirPreparation(AirPreparation.AirStore.OF_USER, executor, repaintSoon);
+        this.executor = executor;
+        this.repaintSoon = repaintSoon;
+        air = new AirPreparation(executor, repaintSoon);
     }
 
     /** Returns true if a level with these files and background is an edited version of this one. */
@@ -128,7 +89,7 @@ final class DrawnLevel implements AutoCloseable {
 
     /** Follows an edit, and what was prepared in the background. */
     void show(Level level) {
-        shown = level;
+        this.level = level;
         levelFailure = null;
         wanted = air.of(visible.of(level));
         while (true) {
@@ -154,7 +115,7 @@ final class DrawnLevel implements AutoCloseable {
     private void failure(RuntimeException failure) {
         levelFailure = String.valueOf(failure.getMessage());
         if (placed == null) {
-            place(Level.of("", "", shown.environment(), List.of()));
+            place(Level.of("", "", level.environment(), List.of()));
         }
     }
 
@@ -175,18 +136,18 @@ final class DrawnLevel implements AutoCloseable {
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
     Optional<LevelPicture> picture(ViewMode mode) {
         LevelPicture picture = pictures.computeIfAbsent(mode, this::begun);
-        SkyVisibility light = mode == ViewMode.LIT ? bake.latest() : null;
+        SkyVisibility baked = mode == ViewMode.LIT ? light() : null;
         failures.remove(mode);
         while (true) {
             try {
-                picture.show(placed, light);
+                picture.show(placed, baked);
                 return Optional.of(picture);
             } catch (RuntimeException failure) {
                 if (!repair.learn(wanted, failure)) {
                     failures.put(mode, mode + ": " + failure.getMessage());
                     return Optional.empty();
                 }
-                show(shown);
+                show(level);
             }
         }
     }
@@ -211,17 +172,42 @@ final class DrawnLevel implements AutoCloseable {
                 .toList();
     }
 
-    /** Returns the sky's light that the next picture would use; {@code null} for none. */
+    /** Returns the sky's light that the next picture would use, perhaps of an earlier version; {@code null} for none. */
     SkyVisibility light() {
-        return bake.latest();
+        if (bake != null && bake.isDone()) {
+            light = result(bake);
+            bake = null;
+        }
+        return light;
     }
 
-    /** Computes the sky's light of this version in the background if it differs. */
+    /** Returns the earlier light if a bake fails: a picture with old light is better than none. */
+    private SkyVisibility result(CompletableFuture<SkyVisibility> done) {
+        try {
+            return done.join();
+        } catch (CompletionException | CancellationException failed) {
+            return light;
+        }
+    }
+
+    /** Bakes the sky's light of this version in the background if it has any, its shapes differ, and no bake runs. */
     void bake() {
-        bake.follow(placed);
+        boolean isNew = placed.statics() != lit && LightRequirements.skyVisibility(placed.level());
+        if (isNew && bake == null) {
+            lit = placed.statics();
+            PlacedLevel baked = placed;
+            bake = CompletableFuture.supplyAsync(() -> BakedSky.of(baked, this::progress), executor);
+            bake.whenComplete((visibility, failure) -> repaintSoon.run());
+        }
     }
 
-    /** Returns what is not shown, a line each. */
+    private void progress(double done) {
+        if (isClosed) {
+            throw new CancellationException();
+        }
+    }
+
+    /** Returns what is not drawn, a line each. */
     List<String> messages() {
         List<String> messages = new ArrayList<>(repair.messages(wanted));
         messages.addAll(failures.values());
@@ -233,7 +219,7 @@ final class DrawnLevel implements AutoCloseable {
 
     @Override
     public void close() {
-        bake.close();
+        isClosed = true;
         air.close();
         edges.values().forEach(LevelEdges::close);
         pictures.values().forEach(LevelPicture::close);

@@ -26,19 +26,19 @@ final class GroundLines {
     private static final double EM_POINTS = 10;
     private static final double ROOM_POINTS = 26;
 
-    private final Map<Seen, Lines> kept = new LinkedHashMap<>();
+    private final Map<FieldView, Lines> kept = new LinkedHashMap<>();
 
     /** A field in a plan; fields are compared by identity, and one with other heights is another object. */
-    private record Seen(HeightField field, PlanCamera camera, PaneSize size) {}
+    private record FieldView(HeightField field, PlanCamera camera, PaneSize size) {}
 
     private record Lines(PlanSegments minor, PlanSegments major, List<Label> labels) {}
 
     /** Adds the terrains that a plan shows. */
-    void add(List<HeightField> ground, PlanCamera camera, PaneSize size, MarkPalette palette, LineCanvas canvas) {
+    void add(List<HeightField> ground, PlanCamera camera, PaneSize size, Background background, LineCanvas canvas) {
         for (HeightField field : ground) {
-            Lines lines = lines(new Seen(field, camera, size));
-            add(lines.minor, palette.of(MarkColour.GROUND), 1, canvas);
-            add(lines.major, palette.of(MarkColour.GROUND_MAJOR), 1.4, canvas);
+            Lines lines = lines(new FieldView(field, camera, size));
+            add(lines.minor, background.shade(MarkColour.GROUND), 1, canvas);
+            add(lines.major, background.shade(MarkColour.GROUND_MAJOR), 1.4, canvas);
         }
     }
 
@@ -47,12 +47,12 @@ final class GroundLines {
             List<HeightField> ground,
             PlanCamera camera,
             PaneSize size,
-            MarkPalette palette,
+            Background background,
             double pixelsPerPoint,
             OverlayCanvas texts) {
         for (HeightField field : ground) {
-            List<Label> labels = lines(new Seen(field, camera, size)).labels;
-            add(labels, size, palette, pixelsPerPoint, texts);
+            List<Label> labels = lines(new FieldView(field, camera, size)).labels;
+            add(labels, size, background, pixelsPerPoint, texts);
         }
     }
 
@@ -64,43 +64,43 @@ final class GroundLines {
         }
     }
 
-    private Lines lines(Seen seen) {
-        Lines lines = kept.remove(seen);
+    private Lines lines(FieldView view) {
+        Lines lines = kept.remove(view);
         if (lines == null) {
-            lines = made(seen);
+            lines = made(view);
         }
-        kept.put(seen, lines);
+        kept.put(view, lines);
         if (kept.size() > MOST_KEPT) {
             kept.remove(kept.keySet().iterator().next());
         }
         return lines;
     }
 
-    private static Lines made(Seen seen) {
+    private static Lines made(FieldView view) {
         PlanSegments minor = new PlanSegments();
         PlanSegments major = new PlanSegments();
-        if (seen.camera.kind() != PaneKind.TOP) {
-            Skyline.add(seen.camera, seen.size, seen.field, minor, major);
+        if (view.camera.kind() != PaneKind.TOP) {
+            Skyline.add(view.camera, view.size, view.field, minor, major);
             return new Lines(minor, major, List.of());
         }
-        ContourLines.add(seen.camera, seen.size, seen.field, minor, major);
-        List<Label> labels = of(major, seen.camera, seen.size, seen.field);
-        border(seen, major);
+        ContourLines.add(view.camera, view.size, view.field, minor, major);
+        List<Label> labels = of(major, view.camera, view.size, view.field);
+        border(view, major);
         return new Lines(minor, major, labels);
     }
 
-    private static void border(Seen seen, PlanSegments lines) {
-        HeightField field = seen.field;
+    private static void border(FieldView view, PlanSegments lines) {
+        HeightField field = view.field;
         double[] x = {field.x(0), field.x(field.cellColumns())};
         double[] z = {field.z(0), field.z(field.cellRows())};
         int[] corners = {0, 0, 1, 0, 1, 1, 0, 1};
         for (int i = 0; i < 4; i++) {
             int next = (i + 1) % 4;
-            var from = seen.camera
-                    .project(new Vec3(x[corners[2 * i]], 0, z[corners[2 * i + 1]]), seen.size)
+            var from = view.camera
+                    .project(new Vec3(x[corners[2 * i]], 0, z[corners[2 * i + 1]]), view.size)
                     .orElseThrow();
-            var to = seen.camera
-                    .project(new Vec3(x[corners[2 * next]], 0, z[corners[2 * next + 1]]), seen.size)
+            var to = view.camera
+                    .project(new Vec3(x[corners[2 * next]], 0, z[corners[2 * next + 1]]), view.size)
                     .orElseThrow();
             lines.add(from.x(), from.y(), to.x(), to.y());
         }
@@ -134,11 +134,11 @@ final class GroundLines {
 
     /** Writes the labels, from the least height to the greatest. */
     static void add(
-            List<Label> labels, PaneSize size, MarkPalette palette, double pixelsPerPoint, OverlayCanvas texts) {
-        OverlayColour ink = MarkDrawing.overlay(palette.of(MarkColour.GROUND_MAJOR));
-        OverlayColour plate = palette.plate();
+            List<Label> labels, PaneSize size, Background background, double pixelsPerPoint, OverlayCanvas texts) {
+        OverlayColour ink = MarkDrawing.overlay(background.shade(MarkColour.GROUND_MAJOR));
+        OverlayColour plate = background.plate();
         for (Label label : apart(labels, size, ROOM_POINTS * pixelsPerPoint)) {
-            String text = GridSpacing.text(label.metres);
+            String text = PlanGrid.text(label.metres);
             double width = texts.width(EM_POINTS, text);
             double x = label.x / pixelsPerPoint - width / 2;
             double y = label.y / pixelsPerPoint;

@@ -14,7 +14,7 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 
 /** Fills the canvases of a pane with marks. Dark outlines keep them legible on surfaces of any brightness. */
-record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, double pixelsPerPoint) {
+record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background, double pixelsPerPoint) {
     private static final LineColour OUTLINE = LineColour.of(0x000000, 0.55);
     private static final double LINE_POINTS = 1.6;
     private static final double OUTLINE_POINTS = 3.4;
@@ -25,27 +25,27 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
     private static final double LABEL_ASIDE_POINTS = 9;
     private static final double PLATE_MARGIN_POINTS = 4;
 
-    /** Selects outlines of lines, which plain backgrounds do not need. */
-    enum Outline {
-        DARK,
-        NONE
-    }
-
-    /** Adds marks in this order: areas, lines, handles, labels. */
-    void add(List<Mark> marks, PaneCamera camera, PaneSize size, Outline outline) {
+    /**
+     * Adds marks in this order: areas, lines, handles, labels.
+     *
+     * @param isOutlined true for dark outlines of lines, which plain backgrounds do not need
+     */
+    void add(List<Mark> marks, PaneCamera camera, PaneSize size, boolean isOutlined) {
         for (Mark mark : marks) {
             if (mark instanceof Mark.Polygon area) {
                 lines.polygon(
-                        area.corners(), palette.of(area.colour()).withAlpha(POLYGON_ALPHA), layer(area.visibility()));
+                        area.corners(),
+                        background.shade(area.colour()).withAlpha(POLYGON_ALPHA),
+                        layer(area.visibility()));
             }
         }
-        if (outline == Outline.DARK) {
+        if (isOutlined) {
             marks.forEach(mark -> line(mark, OUTLINE_POINTS, OUTLINE));
         }
         marks.forEach(mark -> line(mark, LINE_POINTS, null));
         for (Mark mark : marks) {
             if (mark instanceof Mark.Stroke stroke) {
-                LineColour colour = palette.of(stroke.colour());
+                LineColour colour = background.shade(stroke.colour());
                 lines.line(stroke.from(), stroke.to(), colour, pixelsPerPoint, LineLayer.BEHIND_SURFACES);
             }
         }
@@ -68,7 +68,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
     /** @param colour {@code null} for the mark's own */
     private void line(Mark mark, double widthPoints, LineColour colour) {
         if (mark instanceof Mark.Line line) {
-            LineColour own = palette.of(line.colour());
+            LineColour own = background.shade(line.colour());
             boolean isGrid = line.colour() == MarkColour.GRID || line.colour() == MarkColour.GRID_MAJOR;
             if (isGrid && colour != null) {
                 return;
@@ -85,7 +85,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
 
     private void handle(Mark.Handle handle) {
         lines.square(handle.at(), HANDLE_OUTLINE_POINTS * pixelsPerPoint, LineColour.of(0x000000, 0.85));
-        lines.square(handle.at(), HANDLE_POINTS * pixelsPerPoint, palette.of(handle.colour()));
+        lines.square(handle.at(), HANDLE_POINTS * pixelsPerPoint, background.shade(handle.colour()));
     }
 
     private void label(Mark.Label label, PaneCamera camera, PaneSize size) {
@@ -99,7 +99,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, MarkPalette palette, d
             double baseline = spot.y() / pixelsPerPoint - LABEL_ASIDE_POINTS;
             boolean isInside = spot.x() >= 0 && spot.x() < size.width() && spot.y() >= 0 && spot.y() < size.height();
             if (isInside) {
-                plate(label.text(), x, baseline, MarkPalette.ON_DARK.of(label.colour()));
+                plate(label.text(), x, baseline, Background.DARK.shade(label.colour()));
             }
         });
     }

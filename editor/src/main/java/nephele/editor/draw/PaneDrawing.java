@@ -2,15 +2,17 @@ package nephele.editor.draw;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.editor.draw.MarkDrawing.Outline;
-import nephele.editor.draw.ViewportFrame.GuideLines;
+import java.util.Optional;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
+import nephele.editor.pane.ViewMode;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
@@ -39,6 +41,18 @@ final class PaneDrawing implements AutoCloseable {
     /** Axes that point to or from the eye have no letter. */
     private static final double LEAST_AXIS_ACROSS = 0.15;
 
+    /** Between surfaces of few colours. */
+    private static final LineColour EDGES = LineColour.of(0x000000, 0.6);
+    /** Fainter, since light and textures show most edges. */
+    private static final LineColour LIT_EDGES = LineColour.of(0x000000, 0.3);
+
+    private static final LineColour FLOOR = LineColour.of(0x8a949e, 1);
+    private static final double FLOOR_MINOR_ALPHA = 0.28;
+    private static final double FLOOR_MAJOR_ALPHA = 0.5;
+    private static final int FLOOR_CELLS = 24;
+    private static final int FLOOR_CELLS_PER_MAJOR = 8;
+    private static final double LEAST_FLOOR_CELL_METRES = 0.5;
+
     private final LineDrawing drawing;
     private final OverlayPass overlay;
     private final LineCanvas ground = new LineCanvas();
@@ -53,61 +67,76 @@ final class PaneDrawing implements AutoCloseable {
         texts = new OverlayCanvas(lettering);
     }
 
-    /** The level's picture in a pane. */
-    sealed interface Shown {
-        /** Surfaces in a view mode. */
-        record Surfaces(LevelPicture picture) implements Shown {}
-
-        /** Surfaces, and the edges between them in a colour. */
-        record EdgedSurfaces(LevelPicture picture, LevelEdges edges, LineColour colour) implements Shown {}
-
-        /** Edges alone, in a plan with the lines of terrains. */
-        record Edges(LevelEdges edges, List<HeightField> ground) implements Shown {}
-    }
-
-    /** Draws over the whole picture. */
-    void draw(Shown shown, Pane pane, ViewportFrame frame, RenderTarget picture) {
+    /** Draws a pane over the whole picture. */
+    void draw(DrawnLevel level, Pane pane, ViewportFrame frame, RenderTarget picture) {
         PaneCamera camera = pane.view().camera();
         PaneSize size = new PaneSize(picture.width(), picture.height());
-        boolean isPlain = shown instanceof Shown.Edges && frame.look().background() == Background.LIGHT;
-        MarkPalette palette = isPlain ? MarkPalette.ON_LIGHT : MarkPalette.ON_DARK;
-        texts.begin(frame.look().pixelsPerPoint());
+        double scale = frame.look().pixelsPerPoint();
+        Optional<LevelPicture> surfaces = surfaces(level, pane.view());
+        Background background =
+                surfaces.isPresent() ? Background.DARK : frame.look().background();
+        texts.begin(scale);
         LineProjection projection = camera instanceof PlanCamera plan
-                ? plan(shown, plan, frame, picture, palette)
-                : perspective(shown, (PerspectiveCamera) camera, frame, picture, palette);
+                ? plan(level, plan, frame, picture)
+                : perspective(level, pane.view(), surfaces, frame, picture);
         lines.begin(projection);
-        MarkDrawing marks = new MarkDrawing(lines, texts, palette, frame.look().pixelsPerPoint());
+        MarkDrawing marks = new MarkDrawing(lines, texts, background, scale);
         List<Mark> all = new ArrayList<>(frame.marks());
         all.addAll(pane.marks());
-        marks.add(all, camera, size, shown instanceof Shown.Edges ? Outline.NONE : Outline.DARK);
-        addAxes(lines, texts, camera, size, marks);
+        marks.add(all, camera, size, surfaces.isPresent());
+        addAxis(camera, new Vec3(1, 0, 0), size, marks, MarkColour.AXIS_X, "x");
+        addAxis(camera, new Vec3(0, 1, 0), size, marks, MarkColour.AXIS_Y, "y");
+        addAxis(camera, new Vec3(0, 0, 1), size, marks, MarkColour.AXIS_Z, "z");
         if (!pane.caption().isEmpty()) {
             marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, CAPTION);
         }
-        new InsetDrawing(texts, frame.look().pixelsPerPoint()).add(pane.inset(), picture.width(), picture.height());
+        pane.inset().draw(texts, size, scale);
         drawing.draw(lines, picture);
         overlay.draw(texts, picture);
     }
 
+    /** Returns the picture of the surfaces; empty where edges are drawn alone, also because the picture cannot be made. */
+    private static Optional<LevelPicture> surfaces(DrawnLevel level, PaneView view) {
+        boolean hasSurfaces = view.kind() == PaneKind.PERSPECTIVE && view.mode() != ViewMode.WIREFRAME;
+        return hasSurfaces ? level.picture(view.mode()) : Optional.empty();
+    }
+
     private LineProjection perspective(
-            Shown shown, PerspectiveCamera camera, ViewportFrame frame, RenderTarget picture, MarkPalette palette) {
+            DrawnLevel level,
+            PaneView pane,
+            Optional<LevelPicture> surfaces,
+            ViewportFrame frame,
+            RenderTarget picture) {
+        PerspectiveCamera camera = pane.perspective();
+        Background background =
+                surfaces.isPresent() ? Background.DARK : frame.look().background();
         View view = view(camera, picture.width() / (double) picture.height());
         LineProjection projection = LineProjection.of(view, picture.width(), picture.height());
-        if (shown instanceof Shown.Surfaces surfaces) {
-            surfaces.picture().draw(view, picture);
-        } else if (shown instanceof Shown.EdgedSurfaces surfaces) {
-            surfaces.picture().draw(view, picture);
-            surfaces.edges().draw(projection, surfaces.colour(), LineLayer.BEHIND_SURFACES, picture);
+        if (surfaces.isPresent()) {
+            surfaces.get().draw(view, picture);
+            edgesBetweenSurfaces(pane.mode(), frame.look().hasGuideLines())
+                    .ifPresent(colour -> level.edges(PaneKind.PERSPECTIVE)
+                            .draw(projection, colour, LineLayer.BEHIND_SURFACES, picture));
         } else {
-            clear(picture, frame.look().background().rgb());
+            clear(picture, background.rgb());
         }
         ground.begin(projection);
-        if (frame.look().guideLines() == GuideLines.SHOWN) {
-            new FloorLines(camera.eye(), frame.look().gridMetres(), palette).add(ground);
+        if (frame.look().hasGuideLines()) {
+            addFloorLines(camera.eye(), frame.look().gridMetres(), background);
         }
         drawing.draw(ground, picture);
-        edges(shown, projection, palette, picture);
+        if (surfaces.isEmpty()) {
+            drawEdges(level, PaneKind.PERSPECTIVE, projection, background, picture);
+        }
         return projection;
+    }
+
+    private static Optional<LineColour> edgesBetweenSurfaces(ViewMode mode, boolean hasGuideLines) {
+        return switch (mode) {
+            case LIT -> hasGuideLines ? Optional.of(LIT_EDGES) : Optional.empty();
+            case UNLIT -> Optional.empty();
+            default -> Optional.of(EDGES);
+        };
     }
 
     /** Returns the engine's view of a camera. */
@@ -118,35 +147,29 @@ final class PaneDrawing implements AutoCloseable {
                 camera.eye(), camera.right(), camera.up(), camera.forward().negated(), projection);
     }
 
-    private LineProjection plan(
-            Shown shown, PlanCamera camera, ViewportFrame frame, RenderTarget picture, MarkPalette palette) {
-        int width = picture.width();
-        int height = picture.height();
+    private LineProjection plan(DrawnLevel level, PlanCamera camera, ViewportFrame frame, RenderTarget picture) {
+        PaneSize size = new PaneSize(picture.width(), picture.height());
         double scale = frame.look().pixelsPerPoint();
+        Background background = frame.look().background();
         Basis axes = new Basis(camera.right(), camera.up(), camera.forward().negated());
-        LineProjection projection =
-                LineProjection.orthographic(camera.centre(), axes, camera.metresPerPixel(), width, height);
-        GridSpacing spacing = GridSpacing.of(frame.look().gridMetres(), camera.metresPerPixel(), scale);
-        PlanGrid grid = new PlanGrid(camera, new PaneSize(width, height), spacing, palette, scale);
-        clear(picture, frame.look().background().rgb());
+        LineProjection projection = LineProjection.orthographic(
+                camera.centre(), axes, camera.metresPerPixel(), picture.width(), picture.height());
+        PlanGrid grid = new PlanGrid(camera, size, frame.look().gridMetres(), background, scale);
+        List<HeightField> fields = level.ground();
+        clear(picture, background.rgb());
         ground.begin(projection);
         grid.addLines(ground);
-        if (shown instanceof Shown.Edges edges) {
-            terrains.add(edges.ground(), camera, new PaneSize(width, height), palette, ground);
-        }
+        terrains.add(fields, camera, size, background, ground);
         drawing.draw(ground, picture);
-        edges(shown, projection, palette, picture);
-        if (shown instanceof Shown.Edges edges) {
-            terrains.addLabels(edges.ground(), camera, new PaneSize(width, height), palette, scale, texts);
-        }
+        drawEdges(level, camera.kind(), projection, background, picture);
+        terrains.addLabels(fields, camera, size, background, scale, texts);
         grid.addLabels(texts);
         return projection;
     }
 
-    private static void edges(Shown shown, LineProjection projection, MarkPalette palette, RenderTarget picture) {
-        if (shown instanceof Shown.Edges edges) {
-            edges.edges().draw(projection, palette.of(MarkColour.EDGE), LineLayer.OVER_ALL, picture);
-        }
+    private static void drawEdges(
+            DrawnLevel level, PaneKind kind, LineProjection projection, Background background, RenderTarget picture) {
+        level.edges(kind).draw(projection, background.shade(MarkColour.EDGE), LineLayer.OVER_ALL, picture);
     }
 
     static void clear(RenderTarget picture, int rgb) {
@@ -159,78 +182,62 @@ final class PaneDrawing implements AutoCloseable {
         overlay.close();
     }
 
-    /** Draws the directions of the axes of the world in the lower left corner of the pane. */
-    private static void addAxes(
-            LineCanvas lines, OverlayCanvas texts, PaneCamera camera, PaneSize size, MarkDrawing with) {
-        axis(lines, texts, new DrawnAxis(camera, new Vec3(1, 0, 0), size, with), MarkColour.AXIS_X, "x");
-        axis(lines, texts, new DrawnAxis(camera, new Vec3(0, 1, 0), size, with), MarkColour.AXIS_Y, "y");
-        axis(lines, texts, new DrawnAxis(camera, new Vec3(0, 0, 1), size, with), MarkColour.AXIS_Z, "z");
-    }
-
-    private record DrawnAxis(PaneCamera camera, Vec3 axis, PaneSize size, MarkDrawing with) {
-        double[] at(double points) {
-            double scale = with.pixelsPerPoint();
-            double x = AXES_CORNER_POINTS + points * axis.dot(camera.right());
-            double y = -AXES_CORNER_POINTS - points * axis.dot(camera.up());
-            return new double[] {scale * x, size.height() + scale * y};
-        }
-
-        boolean isVisible() {
-            return Math.hypot(axis.dot(camera.right()), axis.dot(camera.up())) > LEAST_AXIS_ACROSS;
-        }
-    }
-
-    private static void axis(LineCanvas lines, OverlayCanvas texts, DrawnAxis along, MarkColour colour, String name) {
-        if (!along.isVisible()) {
+    /** Adds the direction of an axis of the world, in the lower left corner of the pane. */
+    private void addAxis(
+            PaneCamera camera, Vec3 axis, PaneSize size, MarkDrawing marks, MarkColour colour, String name) {
+        double across = axis.dot(camera.right());
+        double upwards = axis.dot(camera.up());
+        if (Math.hypot(across, upwards) <= LEAST_AXIS_ACROSS) {
             return;
         }
-        double scale = along.with().pixelsPerPoint();
-        LineColour shade = along.with().palette().of(colour);
-        if (along.with().palette() == MarkPalette.ON_DARK) {
-            lines.screenLine(along.at(0), along.at(AXIS_POINTS), LineColour.of(0, 0.5), 4 * scale);
+        double scale = marks.pixelsPerPoint();
+        LineColour shade = marks.background().shade(colour);
+        double[] from = axisPoint(across, upwards, 0, size, scale);
+        double[] to = axisPoint(across, upwards, AXIS_POINTS, size, scale);
+        double[] end = axisPoint(across, upwards, AXIS_POINTS + 8, size, scale);
+        boolean isDark = marks.background() == Background.DARK;
+        if (isDark) {
+            lines.screenLine(from, to, LineColour.of(0, 0.5), 4 * scale);
         }
-        lines.screenLine(along.at(0), along.at(AXIS_POINTS), shade, 2 * scale);
-        double[] end = along.at(AXIS_POINTS + 8);
-        if (along.with().palette() == MarkPalette.ON_DARK) {
+        lines.screenLine(from, to, shade, 2 * scale);
+        if (isDark) {
             OverlayColour shadow = new OverlayColour(0, 0, 0, 0.7f);
             texts.text(end[0] / scale - 2, end[1] / scale + 5, AXIS_LETTER_POINTS, shadow, name);
         }
         texts.text(end[0] / scale - 3, end[1] / scale + 4, AXIS_LETTER_POINTS, MarkDrawing.overlay(shade), name);
     }
 
-    /** The grid on the plane y = 0 around the eye of a perspective pane. */
-    private record FloorLines(Vec3 eye, double gridMetres, MarkPalette palette) {
-        private static final int CELLS = 24;
-        private static final int CELLS_PER_MAJOR = 8;
-        private static final double MINOR_ALPHA = 0.28;
-        private static final double MAJOR_ALPHA = 0.5;
+    /** Returns a point of an axis that leads across and upwards in the picture, in pixels. */
+    private static double[] axisPoint(double across, double upwards, double points, PaneSize size, double scale) {
+        double x = AXES_CORNER_POINTS + points * across;
+        double y = -AXES_CORNER_POINTS - points * upwards;
+        return new double[] {scale * x, size.height() + scale * y};
+    }
 
-        /** Adds the lines; their spacing grows with the eye's height. */
-        void add(LineCanvas lines) {
-            double least = Math.max(gridMetres, Math.abs(eye.y()) / CELLS);
-            double cell = gridMetres * Math.pow(2, Math.ceil(Math.log(least / gridMetres) / Math.log(2)));
-            cell = Math.max(cell, gridMetres * Math.pow(2, Math.ceil(Math.log(0.5 / gridMetres) / Math.log(2))));
-            long middleX = Math.round(eye.x() / cell);
-            long middleZ = Math.round(eye.z() / cell);
-            double reach = 2.0 * CELLS * cell;
-            LineColour grey = LineColour.of(0x8a949e, 1);
-            for (long i = -2 * CELLS; i <= 2 * CELLS; i++) {
-                double x = (middleX + i) * cell;
-                double z = (middleZ + i) * cell;
-                addLine(lines, new Vec3(x, 0, middleZ * cell), new Vec3(0, 0, reach), colour(middleX + i, grey, true));
-                addLine(lines, new Vec3(middleX * cell, 0, z), new Vec3(reach, 0, 0), colour(middleZ + i, grey, false));
-            }
+    /** Adds the grid on the plane y = 0 around the eye of a perspective pane; its spacing grows with the eye's height. */
+    private void addFloorLines(Vec3 eye, double gridMetres, Background background) {
+        double cell = PlanGrid.doubled(gridMetres, Math.max(LEAST_FLOOR_CELL_METRES, Math.abs(eye.y()) / FLOOR_CELLS));
+        long middleX = Math.round(eye.x() / cell);
+        long middleZ = Math.round(eye.z() / cell);
+        double reach = 2.0 * FLOOR_CELLS * cell;
+        for (long i = -2 * FLOOR_CELLS; i <= 2 * FLOOR_CELLS; i++) {
+            double x = (middleX + i) * cell;
+            double z = (middleZ + i) * cell;
+            LineColour alongZ = floorColour(middleX + i, background.shade(MarkColour.AXIS_Z));
+            LineColour alongX = floorColour(middleZ + i, background.shade(MarkColour.AXIS_X));
+            addFloorLine(new Vec3(x, 0, middleZ * cell), new Vec3(0, 0, reach), alongZ);
+            addFloorLine(new Vec3(middleX * cell, 0, z), new Vec3(reach, 0, 0), alongX);
         }
+    }
 
-        private LineColour colour(long line, LineColour grey, boolean isAlongZ) {
-            if (line == 0) {
-                return palette.of(isAlongZ ? MarkColour.AXIS_Z : MarkColour.AXIS_X);
-            }
-            return grey.withAlpha(Math.floorMod(line, CELLS_PER_MAJOR) == 0 ? MAJOR_ALPHA : MINOR_ALPHA);
+    private static LineColour floorColour(long line, LineColour axis) {
+        if (line == 0) {
+            return axis;
         }
+        return FLOOR.withAlpha(Math.floorMod(line, FLOOR_CELLS_PER_MAJOR) == 0 ? FLOOR_MAJOR_ALPHA : FLOOR_MINOR_ALPHA);
+    }
 
-        private static void addLine(LineCanvas lines, Vec3 middle, Vec3 half, LineColour colour) {
-            lines.line(middle.minus(half), middle.plus(half), colour, 1, LineLayer.BEHIND_SURFACES);
-        }
+    private void addFloorLine(Vec3 middle, Vec3 half, LineColour colour) {
+        ground.line(middle.minus(half), middle.plus(half), colour, 1, LineLayer.BEHIND_SURFACES);
     }
 }

@@ -1,5 +1,7 @@
 package nephele.editor.draw;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PlanCamera;
@@ -9,47 +11,68 @@ import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 
-/** The grid of a plan: lines, the two axes, and coordinates along the upper and the left border. */
-record PlanGrid(PlanCamera camera, PaneSize size, GridSpacing spacing, MarkPalette palette, double pixelsPerPoint) {
+/**
+ * The grid of a plan: lines, the two axes, and coordinates along the upper and the left border.
+ *
+ * @param gridMetres the spacing to which the editor snaps; lines that would be too close are left out
+ */
+record PlanGrid(PlanCamera camera, PaneSize size, double gridMetres, Background background, double pixelsPerPoint) {
+    /** The picture's two directions: across, then upwards. */
+    private static final boolean[] DIRECTIONS = {true, false};
+
     private static final double EM_POINTS = 11;
     private static final double STRIP_POINTS = 17;
 
     /** Left to the symbol of the axes. */
     private static final double FREE_BELOW_POINTS = 70;
 
-    /** The pictures' two directions. */
-    private enum Direction {
-        ACROSS,
-        UPWARDS
+    private static final double LEAST_MINOR_PIXELS = 8;
+    private static final double LEAST_LABEL_PIXELS = 72;
+    private static final int MINOR_PER_MAJOR = 8;
+
+    /** Returns the grid's own spacing if there is room, otherwise a power of two of it. */
+    private double minorMetres() {
+        return doubled(gridMetres, LEAST_MINOR_PIXELS * camera.metresPerPixel() * pixelsPerPoint);
+    }
+
+    private double majorMetres() {
+        return MINOR_PER_MAJOR * minorMetres();
+    }
+
+    private double labelMetres() {
+        return doubled(majorMetres(), LEAST_LABEL_PIXELS * camera.metresPerPixel() * pixelsPerPoint);
+    }
+
+    /** Returns a length times the least power of two, from 1 on, that makes it at least another one. */
+    static double doubled(double metres, double least) {
+        double factor = Math.max(0, Math.ceil(Math.log(least / metres) / Math.log(2)));
+        return metres * Math.pow(2, factor);
     }
 
     /** Adds lines, finer ones first. */
     void addLines(LineCanvas lines) {
-        if (spacing.minorMetres() / camera.metresPerPixel() >= 4) {
-            addAll(lines, spacing.minorMetres(), palette.of(MarkColour.GRID));
+        if (minorMetres() / camera.metresPerPixel() >= 4) {
+            addAll(lines, minorMetres(), background.shade(MarkColour.GRID));
         }
-        addAll(lines, spacing.majorMetres(), palette.of(MarkColour.GRID_MAJOR));
-        for (Direction direction : Direction.values()) {
+        addAll(lines, majorMetres(), background.shade(MarkColour.GRID_MAJOR));
+        for (boolean isAcross : DIRECTIONS) {
             // The line through 0 in one direction is the axis of the other one.
-            Direction along = direction == Direction.ACROSS ? Direction.UPWARDS : Direction.ACROSS;
-            addLine(lines, direction, 0, palette.of(axisColour(axis(along))), 1.5 * pixelsPerPoint);
+            addLine(lines, isAcross, 0, background.shade(axisColour(axis(!isAcross))), 1.5 * pixelsPerPoint);
         }
     }
 
     private void addAll(LineCanvas lines, double metres, LineColour colour) {
-        for (Direction direction : Direction.values()) {
-            double[] range = range(direction);
+        for (boolean isAcross : DIRECTIONS) {
+            double[] range = range(isAcross);
             for (double at = Math.ceil(range[0] / metres); at * metres <= range[1]; at++) {
-                addLine(lines, direction, at * metres, colour, 1);
+                addLine(lines, isAcross, at * metres, colour, 1);
             }
         }
     }
 
-    private void addLine(
-            LineCanvas lines, Direction direction, double coordinate, LineColour colour, double widthPixels) {
+    private void addLine(LineCanvas lines, boolean isAcross, double coordinate, LineColour colour, double widthPixels) {
         // At half a pixel, a line of one pixel is as sharp as it can be.
-        double at = Math.floor(pixel(direction, coordinate)) + 0.5;
-        boolean isAcross = direction == Direction.ACROSS;
+        double at = Math.floor(pixel(isAcross, coordinate)) + 0.5;
         double[] from = isAcross ? new double[] {at, 0} : new double[] {0, at};
         double[] to = isAcross ? new double[] {at, size.height()} : new double[] {size.width(), at};
         lines.screenLine(from, to, colour, widthPixels);
@@ -58,23 +81,23 @@ record PlanGrid(PlanCamera camera, PaneSize size, GridSpacing spacing, MarkPalet
     /** Adds coordinates in metres. */
     void addLabels(OverlayCanvas texts) {
         double width = size.width() / pixelsPerPoint;
-        OverlayColour ground = palette.plate();
-        OverlayColour ink = OverlayColour.opaque(palette == MarkPalette.ON_DARK ? 0xb6bec7 : 0x4a525b);
+        OverlayColour ground = background.plate();
+        OverlayColour ink = OverlayColour.opaque(background == Background.DARK ? 0xb6bec7 : 0x4a525b);
         texts.rectangle(0, 0, width, STRIP_POINTS, ground);
-        double metres = spacing.labelMetres();
-        for (Direction direction : Direction.values()) {
-            double[] range = range(direction);
+        double metres = labelMetres();
+        for (boolean isAcross : DIRECTIONS) {
+            double[] range = range(isAcross);
             for (double at = Math.ceil(range[0] / metres); at * metres <= range[1]; at++) {
-                addLabel(texts, direction, at * metres, new OverlayColour[] {ink, ground});
+                addLabel(texts, isAcross, at * metres, new OverlayColour[] {ink, ground});
             }
         }
     }
 
     /** @param inkAndGround colours of letters and of the plate behind them */
-    private void addLabel(OverlayCanvas texts, Direction direction, double coordinate, OverlayColour[] inkAndGround) {
-        String text = GridSpacing.text(coordinate);
-        double at = pixel(direction, coordinate) / pixelsPerPoint;
-        if (direction == Direction.ACROSS) {
+    private void addLabel(OverlayCanvas texts, boolean isAcross, double coordinate, OverlayColour[] inkAndGround) {
+        String text = text(coordinate);
+        double at = pixel(isAcross, coordinate) / pixelsPerPoint;
+        if (isAcross) {
             texts.text(at + 3, STRIP_POINTS - 5, EM_POINTS, inkAndGround[0], text);
         } else if (at > 2 * STRIP_POINTS && at < size.height() / pixelsPerPoint - FREE_BELOW_POINTS) {
             texts.rectangle(0, at - STRIP_POINTS, texts.width(EM_POINTS, text) + 6, STRIP_POINTS, inkAndGround[1]);
@@ -82,28 +105,26 @@ record PlanGrid(PlanCamera camera, PaneSize size, GridSpacing spacing, MarkPalet
         }
     }
 
-    private double[] range(Direction direction) {
-        boolean isAcross = direction == Direction.ACROSS;
+    private double[] range(boolean isAcross) {
         double half = (isAcross ? size.width() : size.height()) / 2.0 * camera.metresPerPixel();
-        double middle = coordinate(direction, camera.centre());
+        double middle = coordinate(isAcross, camera.centre());
         return new double[] {middle - half, middle + half};
     }
 
-    private double pixel(Direction direction, double coordinate) {
-        Vec3 to = axis(direction);
-        boolean isAcross = direction == Direction.ACROSS;
+    private double pixel(boolean isAcross, double coordinate) {
+        Vec3 to = axis(isAcross);
         double sign = to.x() + to.y() + to.z();
-        double metres = (coordinate - coordinate(direction, camera.centre())) * sign / camera.metresPerPixel();
+        double metres = (coordinate - coordinate(isAcross, camera.centre())) * sign / camera.metresPerPixel();
         return isAcross ? size.width() / 2.0 + metres : size.height() / 2.0 - metres;
     }
 
-    private double coordinate(Direction direction, Vec3 at) {
-        Vec3 to = axis(direction);
+    private double coordinate(boolean isAcross, Vec3 at) {
+        Vec3 to = axis(isAcross);
         return at.dot(new Vec3(Math.abs(to.x()), Math.abs(to.y()), Math.abs(to.z())));
     }
 
-    private Vec3 axis(Direction direction) {
-        return direction == Direction.ACROSS ? camera.right() : camera.up();
+    private Vec3 axis(boolean isAcross) {
+        return isAcross ? camera.right() : camera.up();
     }
 
     private static MarkColour axisColour(Vec3 axis) {
@@ -111,5 +132,11 @@ record PlanGrid(PlanCamera camera, PaneSize size, GridSpacing spacing, MarkPalet
             return MarkColour.AXIS_X;
         }
         return axis.y() != 0 ? MarkColour.AXIS_Y : MarkColour.AXIS_Z;
+    }
+
+    /** Returns metres as a short decimal number. */
+    static String text(double metres) {
+        BigDecimal rounded = BigDecimal.valueOf(metres).setScale(4, RoundingMode.HALF_EVEN);
+        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
     }
 }

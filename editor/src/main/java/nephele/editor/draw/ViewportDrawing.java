@@ -3,10 +3,7 @@ package nephele.editor.draw;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Executor;
-import nephele.editor.draw.PaneDrawing.Shown;
-import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
@@ -17,7 +14,6 @@ import nephele.engine.level.Level;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
@@ -29,11 +25,6 @@ import nephele.engine.scene.light.bake.SkyVisibility;
  * and a pane whose content has not changed keeps its picture. Everything runs on the context's thread.
  */
 public final class ViewportDrawing implements AutoCloseable {
-    /** Between surfaces of few colours. */
-    private static final LineColour EDGES = LineColour.of(0x000000, 0.6);
-    /** Fainter, since light and textures show most edges. */
-    private static final LineColour LIT_EDGES = LineColour.of(0x000000, 0.3);
-
     private static final OverlayColour ACTIVE = OverlayColour.opaque(0x4d9de0);
     private static final double ACTIVE_POINTS = 2;
 
@@ -170,26 +161,7 @@ public final class ViewportDrawing implements AutoCloseable {
                         pane.place().width(),
                         pane.place().height());
         held.put(index, new Held(picture, content));
-        panes.draw(shown(pane, frame.look().guideLines()), pane, frame, picture);
-    }
-
-    /** A mode whose picture cannot be made shows edges instead. */
-    private Shown shown(Pane pane, GuideLines guideLines) {
-        ViewMode mode = pane.view().mode();
-        boolean hasSurfaces = pane.view().kind() == PaneKind.PERSPECTIVE && mode != ViewMode.WIREFRAME;
-        Optional<LevelPicture> picture = hasSurfaces ? drawn.picture(mode) : Optional.empty();
-        if (picture.isEmpty()) {
-            return new Shown.Edges(drawn.edges(pane.view().kind()), drawn.ground());
-        }
-        Optional<LineColour> edges =
-                switch (mode) {
-                    case LIT -> guideLines == GuideLines.SHOWN ? Optional.of(LIT_EDGES) : Optional.empty();
-                    case UNLIT -> Optional.empty();
-                    default -> Optional.of(EDGES);
-                };
-        return edges.<Shown>map(colour -> new Shown.EdgedSurfaces(
-                        picture.get(), drawn.edges(pane.view().kind()), colour))
-                .orElseGet(() -> new Shown.Surfaces(picture.get()));
+        panes.draw(drawn, pane, frame, picture);
     }
 
     private void drawActive(ViewportFrame frame, RenderTarget target) {
@@ -210,7 +182,7 @@ public final class ViewportDrawing implements AutoCloseable {
         frameOverlay.draw(frameCanvas, target);
     }
 
-    /** Returns what of the last frame's level could not be shown, a line each: files that cannot be read, broken solids. */
+    /** Returns what of the last frame's level could not be drawn, a line each: files that cannot be read, broken solids. */
     public List<String> messages() {
         return drawn == null ? List.of() : drawn.messages();
     }

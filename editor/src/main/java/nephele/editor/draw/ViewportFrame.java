@@ -54,13 +54,8 @@ public record ViewportFrame(
      * The look of the viewport.
      *
      * @param gridMetres spacing of the grid to which the editor snaps; lines that would be too close are left out
+     * @param hasGuideLines true if perspective panes have the grid on the plane y = 0, and lit ones the edges of brushes
      * @param pixelsPerPoint 1 on an ordinary display, 2 at 200 %
      */
-    public record Look(Background background, double gridMetres, GuideLines guideLines, double pixelsPerPoint) {}
-
-    /** Selects whether perspective panes show the grid on the plane y = 0, and lit ones the edges of brushes. */
-    public enum GuideLines {
-        SHOWN,
-        HIDDEN
-    }
+    public record Look(Background background, double gridMetres, boolean hasGuideLines, double pixelsPerPoint) {}
 }

@@ -15,9 +15,9 @@ import nephele.engine.level.layout.BrushIndex;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
@@ -191,7 +191,7 @@ public final class PlacementHeatMap {
         if (solids.holding(eye, 0) >= 0) {
             return null;
         }
-        PlacementResult result = placement.place("heat", new ShotRay(eye, view), fixed, MovingSurfaces.NONE);
+        PlacementResult result = placement.place("heat", new ShotRay(eye, view), fixed, Obstacles.NONE);
         if (result instanceof PlacementResult.Fits fits) {
             double slide = fits.slideMetres() > AIMED_METRES ? fits.slideMetres() : 0;
             return cell(surface, piece, aim, slide > 0 ? HeatText.SLIDES : HeatText.FITS, slide);

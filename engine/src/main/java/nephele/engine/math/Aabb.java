@@ -78,6 +78,16 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return new Vec3((index & 1) == 0 ? minX : maxX, (index & 2) == 0 ? minY : maxY, (index & 4) == 0 ? minZ : maxZ);
     }
 
+    /** Returns the least coordinate on an axis, 0 to 2 for x to z. */
+    public double least(int axis) {
+        return axis == 0 ? minX : axis == 1 ? minY : minZ;
+    }
+
+    /** Returns the greatest coordinate on an axis, 0 to 2 for x to z. */
+    public double greatest(int axis) {
+        return axis == 0 ? maxX : axis == 1 ? maxY : maxZ;
+    }
+
     /** Returns the distance of the farthest corner. */
     public double farthest(double x, double y, double z) {
         double dx = Math.max(maxX - x, x - minX);

@@ -44,6 +44,18 @@ public record Plane(double nx, double ny, double nz, double distance) {
         return signedDistance(p.x(), p.y(), p.z());
     }
 
+    /** Returns the least signed distance of a box's points. */
+    public double leastDistance(Aabb box) {
+        return signedDistance(
+                nx > 0 ? box.minX() : box.maxX(), ny > 0 ? box.minY() : box.maxY(), nz > 0 ? box.minZ() : box.maxZ());
+    }
+
+    /** Returns the greatest signed distance of a box's points. */
+    public double greatestDistance(Aabb box) {
+        return signedDistance(
+                nx > 0 ? box.maxX() : box.minX(), ny > 0 ? box.maxY() : box.minY(), nz > 0 ? box.maxZ() : box.minZ());
+    }
+
     /** Returns the point of the plane that is nearest to another point. */
     public Vec3 nearest(Vec3 p) {
         return p.addScaled(-signedDistance(p), normal());

@@ -18,19 +18,19 @@ import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.placed.LevelRule;
 
-/** Every file that the level names exists, and every picture and grid can be decoded. */
+/** Every file that the level names exists, and every picture and grid can be decoded. An instance has read a level's. */
 final class AssetRules {
     static final LevelRule READABLE = new LevelRule(LevelRule.Stage.FILES, (level, assets, statics, report) -> {
-        Check check = new Check(assets, report, new TreeMap<>(), AssetPlaces.of(level));
+        AssetRules rules = new AssetRules(assets, report);
         LevelRule.each("materials", level.materials(), (path, material) -> {
-            check.picture(path + ".texture", material.texture());
-            check.picture(path + ".normalTexture", material.normalTexture());
+            rules.picture(path + ".texture", material.texture());
+            rules.picture(path + ".normalTexture", material.normalTexture());
         });
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
-            check.skybox("environment.sky.files", skybox);
+            rules.skybox("environment.sky.files", skybox);
         }
         LevelRule.each("billboards", level.billboards(), (path, group) -> {
-            Verdict verdict = check.picture(path + ".sprite", group.sprite());
+            Verdict verdict = rules.picture(path + ".sprite", group.sprite());
             if (verdict != null) {
                 BillboardRules.frames(path, group, verdict.width(), report);
             }
@@ -38,103 +38,106 @@ final class AssetRules {
         LevelRule.each(
                 "environment.clouds",
                 level.environment().clouds(),
-                (path, cloud) -> check.density(path + ".density", cloud));
-        check.memory();
+                (path, cloud) -> rules.density(path + ".density", cloud));
+        rules.memory(AssetPlaces.of(level));
     });
 
     private static final double MUCH_MEMORY_BYTES = 450e6;
 
-    private AssetRules() {}
-
     /** @param objection {@code null} for a usable picture, of the given size */
     private record Verdict(String objection, int width, int height) {}
 
-    private record Check(
-            AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts, Map<String, String> places) {
-        /** Returns the picture's size, or reports a problem and returns {@code null}. */
-        Verdict picture(String path, String id) {
-            Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
-            if (verdict != null && verdict.objection() != null) {
-                report.accept(Problem.error(path, verdict.objection()).about(Topic.MISSING_ASSET));
-                return null;
-            }
-            return verdict;
-        }
+    private final AssetSource assets;
+    private final Consumer<Problem> report;
+    private final Map<String, Verdict> verdicts = new TreeMap<>();
 
-        private Verdict verdict(String id) {
-            try {
-                Picture picture = PictureDecoder.decode(id, assets.bytes(id));
-                return new Verdict(null, picture.width(), picture.height());
-            } catch (AssetException problem) {
-                return new Verdict(problem.getMessage(), 0, 0);
-            }
-        }
+    private AssetRules(AssetSource assets, Consumer<Problem> report) {
+        this.assets = assets;
+        this.report = report;
+    }
 
-        void skybox(String path, Sky.Skybox skybox) {
-            Verdict first = null;
-            for (int i = 0; i < skybox.files().size(); i++) {
-                String file = skybox.files().get(i);
-                Verdict size = picture(path + "[" + i + "]", file);
-                first = first == null ? size : first;
-                if (size != null) {
-                    size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.CROSS ? null : first);
-                }
-            }
+    /** Returns the picture's size, or reports a problem and returns {@code null}. */
+    private Verdict picture(String path, String id) {
+        Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
+        if (verdict != null && verdict.objection() != null) {
+            report.accept(Problem.error(path, verdict.objection()).about(Topic.MISSING_ASSET));
+            return null;
         }
+        return verdict;
+    }
 
-        /** @param first the first of six faces, {@code null} for a cross */
-        private void size(String path, String file, Verdict size, Verdict first) {
-            try {
-                if (first == null) {
-                    SkyboxPictures.crossSide(file, size.width(), size.height());
-                } else {
-                    SkyboxPictures.requireFace(file, size.width(), size.height(), first.width());
-                }
-            } catch (AssetException problem) {
-                report.accept(Problem.error(path, problem.getMessage()));
+    private Verdict verdict(String id) {
+        try {
+            Picture picture = PictureDecoder.decode(id, assets.bytes(id));
+            return new Verdict(null, picture.width(), picture.height());
+        } catch (AssetException problem) {
+            return new Verdict(problem.getMessage(), 0, 0);
+        }
+    }
+
+    private void skybox(String path, Sky.Skybox skybox) {
+        Verdict first = null;
+        for (int i = 0; i < skybox.files().size(); i++) {
+            String file = skybox.files().get(i);
+            Verdict size = picture(path + "[" + i + "]", file);
+            first = first == null ? size : first;
+            if (size != null) {
+                size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.CROSS ? null : first);
             }
         }
+    }
 
-        /** Warns of pictures that together need much memory: four bytes a pixel, and as much again for one as it is read. */
-        void memory() {
-            double sum = 0;
-            String largest = "";
-            double most = 0;
-            for (Map.Entry<String, Verdict> picture : verdicts.entrySet()) {
-                double bytes =
-                        4.0 * picture.getValue().width() * picture.getValue().height();
-                sum += bytes;
-                largest = bytes > most ? picture.getKey() : largest;
-                most = Math.max(most, bytes);
+    /** @param first the first of six faces, {@code null} for a cross */
+    private void size(String path, String file, Verdict size, Verdict first) {
+        try {
+            if (first == null) {
+                SkyboxPictures.crossSide(file, size.width(), size.height());
+            } else {
+                SkyboxPictures.requireFace(file, size.width(), size.height(), first.width());
             }
-            if (sum + most > MUCH_MEMORY_BYTES) {
-                report.accept(Problem.warning(
-                        places.getOrDefault(largest, largest),
-                        "the pictures of the level need some " + Math.round((sum + most) / 1e6) + " MB of memory, and '"
-                                + largest + "' most of all: make them smaller"));
-            }
+        } catch (AssetException problem) {
+            report.accept(Problem.error(path, problem.getMessage()));
         }
+    }
 
-        void density(String path, Cloud cloud) {
-            Cloud.Density density = cloud.density();
-            if (density instanceof Cloud.Density.Image image) {
-                picture(path + ".file", image.file());
-            } else if (density instanceof Cloud.Density.Grid grid) {
-                grid(path + ".file", grid.file(), cloud.extent());
-            } else if (density instanceof Cloud.Density.Noise noise) {
-                picture(path + ".coverageMap", noise.coverageMap());
-            }
+    /** Warns of pictures that together need much memory: four bytes a pixel, and as much again for one as it is read. */
+    private void memory(Map<String, String> places) {
+        double sum = 0;
+        String largest = "";
+        double most = 0;
+        for (Map.Entry<String, Verdict> picture : verdicts.entrySet()) {
+            double bytes = 4.0 * picture.getValue().width() * picture.getValue().height();
+            sum += bytes;
+            largest = bytes > most ? picture.getKey() : largest;
+            most = Math.max(most, bytes);
         }
+        if (sum + most > MUCH_MEMORY_BYTES) {
+            report.accept(Problem.warning(
+                    places.getOrDefault(largest, largest),
+                    "the pictures of the level need some " + Math.round((sum + most) / 1e6) + " MB of memory, and '"
+                            + largest + "' most of all: make them smaller"));
+        }
+    }
 
-        private void grid(String path, String id, Cloud.Extent extent) {
-            try {
-                VoxelGrid grid = VolFile.parse(id, assets.bytes(id));
-                if (extent instanceof Cloud.Extent.Layer) {
-                    VolFile.requireArea(id, grid.box());
-                }
-            } catch (AssetException problem) {
-                report.accept(Problem.error(path, problem.getMessage()).about(Topic.MISSING_ASSET));
+    private void density(String path, Cloud cloud) {
+        Cloud.Density density = cloud.density();
+        if (density instanceof Cloud.Density.Image image) {
+            picture(path + ".file", image.file());
+        } else if (density instanceof Cloud.Density.Grid grid) {
+            grid(path + ".file", grid.file(), cloud.extent());
+        } else if (density instanceof Cloud.Density.Noise noise) {
+            picture(path + ".coverageMap", noise.coverageMap());
+        }
+    }
+
+    private void grid(String path, String id, Cloud.Extent extent) {
+        try {
+            VoxelGrid grid = VolFile.parse(id, assets.bytes(id));
+            if (extent instanceof Cloud.Extent.Layer) {
+                VolFile.requireArea(id, grid.box());
             }
+        } catch (AssetException problem) {
+            report.accept(Problem.error(path, problem.getMessage()).about(Topic.MISSING_ASSET));
         }
     }
 }

@@ -27,8 +27,9 @@ final class CloudRules {
 
     /** Every cloud has something to show, and its keys have an effect on it. */
     static final LevelRule MEANT = LevelRule.ofRecords((level, report) -> {
-        Check check = new Check(level.environment(), report);
-        LevelRule.each("environment.clouds", level.environment().clouds(), check::cloud);
+        Environment environment = level.environment();
+        LevelRule.each(
+                "environment.clouds", environment.clouds(), (path, cloud) -> cloud(path, cloud, environment, report));
     });
 
     /** A weather's clouds and the written ones have different ids. */
@@ -119,77 +120,70 @@ final class CloudRules {
         }
     }
 
-    private record Check(Environment environment, Consumer<Problem> report) {
-        void cloud(String path, Cloud cloud) {
-            motion(path, cloud);
-            Cloud.BackLobe back = cloud.backLobe();
-            if (back.phaseBackG() != 0 && back.phaseBackShare() == 0) {
-                warn(path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out");
-            }
-            if (cloud.shafts() && !(environment.sky() instanceof Sky.Atmosphere)) {
-                warn(
-                        path + ".shafts",
-                        "only air shows shadows: choose the environment.sky kind atmosphere, or leave this out");
-            }
-            if (cloud.extent() instanceof Cloud.Extent.Layer layer) {
-                layer(path, layer);
-            }
-            if (cloud.density() instanceof Cloud.Density.Puffs puffs) {
-                puffs(path + ".density", puffs);
-            } else if (cloud.density() instanceof Noise noise
-                    && noise.anvil() > 0
-                    && noise.profile() != CloudProfile.CUMULONIMBUS) {
-                warn(
-                        path + ".density.anvil",
-                        "only the profile cumulonimbus has an anvil: choose it, or leave this out");
-            }
+    private static void cloud(String path, Cloud cloud, Environment environment, Consumer<Problem> report) {
+        motion(path, cloud, report);
+        Cloud.BackLobe back = cloud.backLobe();
+        if (back.phaseBackG() != 0 && back.phaseBackShare() == 0) {
+            report.accept(Problem.warning(
+                    path + ".phaseBackG", "has no effect without phaseBackShare: give a share, or leave this out"));
         }
-
-        private void motion(String path, Cloud cloud) {
-            Cloud.Motion motion = cloud.motion();
-            boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
-            if (isLayer && motion.windMetresPerSecond().y() != 0) {
-                refuse(path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle");
-            }
-            if (isLayer && motion.swayMetres().y() != 0) {
-                refuse(path + ".swayMetres[1]", "a layer keeps its altitude: write 0 in the middle");
-            }
-            double evolution = motion.evolutionSeconds();
-            if (evolution > 0
-                    && !(cloud.density() instanceof Noise)
-                    && cloud.technique() != CloudTechnique.PROCEDURAL) {
-                warn(path + ".evolutionSeconds", "only noise takes other shapes: leave this out");
-            }
+        if (cloud.shafts() && !(environment.sky() instanceof Sky.Atmosphere)) {
+            report.accept(Problem.warning(
+                    path + ".shafts",
+                    "only air shows shadows: choose the environment.sky kind atmosphere, or leave this out"));
         }
+        if (cloud.extent() instanceof Cloud.Extent.Layer layer) {
+            layer(path, layer, environment, report);
+        }
+        if (cloud.density() instanceof Cloud.Density.Puffs puffs) {
+            puffs(path + ".density", puffs, report);
+        } else if (cloud.density() instanceof Noise noise
+                && noise.anvil() > 0
+                && noise.profile() != CloudProfile.CUMULONIMBUS) {
+            report.accept(Problem.warning(
+                    path + ".density.anvil",
+                    "only the profile cumulonimbus has an anvil: choose it, or leave this out"));
+        }
+    }
 
-        private void layer(String path, Cloud.Extent.Layer layer) {
-            boolean isRound = environment.sky() instanceof Sky.Atmosphere;
-            if (isRound && layer.baseAltitudeMetres() + layer.thicknessMetres() <= 0) {
-                warn(path + ".baseAltitudeMetres", "the layer is below the planet's ground at y = 0: raise it");
+    private static void motion(String path, Cloud cloud, Consumer<Problem> report) {
+        Cloud.Motion motion = cloud.motion();
+        boolean isLayer = cloud.extent() instanceof Cloud.Extent.Layer;
+        if (isLayer && motion.windMetresPerSecond().y() != 0) {
+            report.accept(Problem.error(
+                    path + ".windMetresPerSecond[1]", "a layer keeps its altitude: write 0 in the middle"));
+        }
+        if (isLayer && motion.swayMetres().y() != 0) {
+            report.accept(Problem.error(path + ".swayMetres[1]", "a layer keeps its altitude: write 0 in the middle"));
+        }
+        double evolution = motion.evolutionSeconds();
+        if (evolution > 0 && !(cloud.density() instanceof Noise) && cloud.technique() != CloudTechnique.PROCEDURAL) {
+            report.accept(Problem.warning(path + ".evolutionSeconds", "only noise takes other shapes: leave this out"));
+        }
+    }
+
+    private static void layer(
+            String path, Cloud.Extent.Layer layer, Environment environment, Consumer<Problem> report) {
+        boolean isRound = environment.sky() instanceof Sky.Atmosphere;
+        if (isRound && layer.baseAltitudeMetres() + layer.thicknessMetres() <= 0) {
+            report.accept(Problem.warning(
+                    path + ".baseAltitudeMetres", "the layer is below the planet's ground at y = 0: raise it"));
+        }
+    }
+
+    private static void puffs(String path, Cloud.Density.Puffs puffs, Consumer<Problem> report) {
+        Cloud.PuffFill fill = puffs.fill();
+        if (fill == null) {
+            if (puffs.puffs().isEmpty()) {
+                report.accept(Problem.warning(path, "shows nothing: list puffs, or give a fill of boxes"));
             }
-        }
-
-        private void puffs(String path, Cloud.Density.Puffs puffs) {
-            Cloud.PuffFill fill = puffs.fill();
-            if (fill == null) {
-                if (puffs.puffs().isEmpty()) {
-                    warn(path, "shows nothing: list puffs, or give a fill of boxes");
-                }
-            } else if (fill.boxes().isEmpty()) {
-                refuse(path + ".fill.boxes", "has no box to fill: give one with centre and size");
-            } else if (fill.count() == 0) {
-                warn(path + ".fill.count", "makes no puff: give some hundred");
-            } else if (fill.count() > MANY_PUFFS) {
-                warn(path + ".fill.count", "so many puffs are slow: some thousand fill any cloud");
-            }
-        }
-
-        private void warn(String path, String message) {
-            report.accept(Problem.warning(path, message));
-        }
-
-        private void refuse(String path, String message) {
-            report.accept(Problem.error(path, message));
+        } else if (fill.boxes().isEmpty()) {
+            report.accept(Problem.error(path + ".fill.boxes", "has no box to fill: give one with centre and size"));
+        } else if (fill.count() == 0) {
+            report.accept(Problem.warning(path + ".fill.count", "makes no puff: give some hundred"));
+        } else if (fill.count() > MANY_PUFFS) {
+            report.accept(
+                    Problem.warning(path + ".fill.count", "so many puffs are slow: some thousand fill any cloud"));
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import nephele.engine.level.Billboards;
@@ -47,14 +48,20 @@ final class IdRules {
     static final LevelRule MATERIALS = LevelRule.ofRecords((level, report) -> {
         Set<String> known = new HashSet<>();
         level.materials().forEach(material -> known.add(material.id()));
-        References references = new References(known, report);
-        LevelRule.each("solids", level.solids(), references::solid);
-        LevelRule.each("models", level.models(), (path, model) -> references.material(path, model.material()));
-        LevelRule.each("bodies", level.bodies(), (path, body) -> references.material(path, body.material()));
-        LevelRule.each("terrains", level.terrains(), (path, terrain) -> {
-            LevelRule.each(
-                    path + ".layers", terrain.layers(), (at, layer) -> references.material(at, layer.material()));
+        BiConsumer<String, String> material = (path, id) -> material(path, id, known, report);
+        LevelRule.each("solids", level.solids(), (path, solid) -> {
+            material.accept(path, solid.material());
+            SolidFaces.said(solid)
+                    .forEach((name, face) ->
+                            material.accept(path + "." + SolidFaces.path(solid, name), face.material()));
         });
+        LevelRule.each("models", level.models(), (path, model) -> material.accept(path, model.material()));
+        LevelRule.each("bodies", level.bodies(), (path, body) -> material.accept(path, body.material()));
+        LevelRule.each(
+                "terrains",
+                level.terrains(),
+                (path, terrain) -> LevelRule.each(
+                        path + ".layers", terrain.layers(), (at, layer) -> material.accept(at, layer.material())));
     });
 
     private IdRules() {}
@@ -73,18 +80,10 @@ final class IdRules {
         }
     }
 
-    private record References(Set<String> known, Consumer<Problem> report) {
-        void material(String path, String material) {
-            if (material != null && !known.contains(material)) {
-                report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material))
-                        .about(Topic.MISSING_MATERIAL));
-            }
-        }
-
-        void solid(String path, Solid solid) {
-            material(path, solid.material());
-            SolidFaces.said(solid)
-                    .forEach((name, face) -> material(path + "." + SolidFaces.path(solid, name), face.material()));
+    private static void material(String path, String material, Set<String> known, Consumer<Problem> report) {
+        if (material != null && !known.contains(material)) {
+            report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material))
+                    .about(Topic.MISSING_MATERIAL));
         }
     }
 }

@@ -7,11 +7,6 @@ import java.util.function.Supplier;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
-import nephele.engine.level.layout.BrushRules;
-import nephele.engine.level.layout.BuriedRules;
-import nephele.engine.level.layout.FaceRules;
-import nephele.engine.level.layout.GroundRules;
-import nephele.engine.level.layout.ImpostorCost;
 import nephele.engine.level.layout.Leak;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.LevelRule.Stage;
@@ -28,7 +23,7 @@ public final class LevelRules {
             EnvironmentRules.SUN,
             SolidRules.BOUNDED,
             SolidRules.COST,
-            CameraRules.VIEW,
+            ViewpointRules.CAMERAS,
             LightRules.CONES,
             LightRules.SHADOWS,
             EnvironmentRules.SKY_FILES,
@@ -42,10 +37,10 @@ public final class LevelRules {
             BodyRules.SHAPES,
             MirrorRules.FLAT,
             BodyRules.REACH,
-            PlayerRules.FREE,
-            PlayerRules.SOMEWHERE,
-            PlayerRules.OBSERVER,
-            ExitRules.REACHABLE,
+            ViewpointRules.FREE,
+            ViewpointRules.SOMEWHERE,
+            ViewpointRules.OBSERVER,
+            GuidanceRules.EXITS,
             GuidanceRules.HINTS,
             GuidanceRules.PAR,
             EmitterRules.COUNT,
@@ -53,8 +48,8 @@ public final class LevelRules {
             TerrainRules.LAYERS,
             BillboardRules.PLACES,
             BillboardRules.MEANT,
-            ImpostorRules.PLANTED,
-            ImpostorRules.MATT,
+            ModelRules.PLANTED,
+            ModelRules.MATT,
             EnvironmentRules.FOG,
             EnvironmentRules.LIGHTNING,
             EnvironmentRules.TECHNIQUES,
@@ -62,17 +57,17 @@ public final class LevelRules {
             ModelRules.READABLE,
             TerrainRules.READABLE,
             BillboardRules.ROOM,
-            StartRules.FREE,
+            BodyRules.FREE,
             FixedPortalRules.AS_INTENDED,
             RoomRules.LARGE_ENOUGH,
-            BrushRules.THICK,
-            BrushRules.IN_SIGHT,
+            SolidRules.THICK,
+            SolidRules.IN_SIGHT,
             FaceRules.APART,
-            BuriedRules.LIGHTS,
+            LightRules.PLACES,
             Leak.CLOSED,
-            GroundRules.ABOVE,
-            ImpostorCost.FEW,
-            LandmarkRules.VISIBLE,
+            TerrainRules.ABOVE,
+            ModelRules.IMPOSTOR_COST,
+            GuidanceRules.LANDMARK,
             CloudRules.FAR);
 
     private LevelRules() {}
@@ -118,7 +113,7 @@ public final class LevelRules {
         List<Problem> problems = new ArrayList<>(checkRecords(level));
         problems.removeIf(problem -> !problem.isError());
         if (problems.isEmpty() && !level.bodies().isEmpty()) {
-            StartRules.FREE.check().apply(level, assets, statics.get(), problems::add);
+            BodyRules.FREE.check().apply(level, assets, statics.get(), problems::add);
         }
         return problems;
     }

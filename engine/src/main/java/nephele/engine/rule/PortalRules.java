@@ -99,11 +99,11 @@ final class PortalRules {
     }
 
     private static boolean liesOn(PortalSpec portal, Solid solid) {
-        if (!PlayerRules.mayReach(solid, portal.centre(), ON_FACE_METRES)) {
+        if (!ViewpointRules.mayReach(solid, portal.centre(), ON_FACE_METRES)) {
             return false;
         }
         try {
-            return isOnFace(portal, PlayerRules.planes(solid));
+            return isOnFace(portal, ViewpointRules.planes(solid));
         } catch (IllegalArgumentException reportedByAnotherRule) {
             return true;
         }

@@ -15,10 +15,13 @@ import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.json.NumberText;
 import nephele.engine.level.placed.LevelRule;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainField;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 
-/** Layers of terrains are limited sensibly and leave nothing bare, and all height and layer maps can be read. */
+/** Rules for terrains: layers leave nothing bare, maps can be read, and what moves starts above them. */
 final class TerrainRules {
     /** The height difference of two values of a map from which terraces are seen and felt. */
     private static final double STEP_METRES = 0.1;
@@ -46,6 +49,27 @@ final class TerrainRules {
             readable(path, terrain, assets, objections, report);
             paintable(path, terrain, assets, report);
         });
+    });
+
+    /** The player and bodies start above terrains: below one there is nothing to stand on, and they fall for ever. */
+    static final LevelRule ABOVE = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
+        if (level.player() != null) {
+            Vec3 feet = level.player().feet();
+            double ground = above(statics, feet);
+            if (feet.y() < ground - 1e-3) {
+                report.accept(Problem.error("player.feet", "the player starts below the ground" + remedy(ground))
+                        .about(Topic.ENTITY_IN_SOLID));
+            }
+        }
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Vec3 centre = level.bodies().get(i).centre();
+            double ground = above(statics, centre);
+            if (centre.y() < ground) {
+                report.accept(Problem.error(
+                                "bodies[" + i + "].centre", "the body's middle is below the ground" + remedy(ground))
+                        .about(Topic.ENTITY_IN_SOLID));
+            }
+        }
     });
 
     private TerrainRules() {}
@@ -190,5 +214,22 @@ final class TerrainRules {
 
     private static String text(double number) {
         return NumberText.of(number);
+    }
+
+    private static String remedy(double ground) {
+        return ", which is at y = " + NumberText.of(Math.rint(ground * 100) / 100) + " there: move it up";
+    }
+
+    /** Returns the y of the lowest ground above a point; negative infinity without. */
+    private static double above(StaticShapes statics, Vec3 point) {
+        double lowest = Double.POSITIVE_INFINITY;
+        for (var grid : statics.ground()) {
+            double y = HeightFieldSurface.y(grid.field(), point.x(), point.z());
+            if (y <= point.y()) {
+                return Double.NEGATIVE_INFINITY;
+            }
+            lowest = y < lowest ? y : lowest;
+        }
+        return lowest == Double.POSITIVE_INFINITY ? Double.NEGATIVE_INFINITY : lowest;
     }
 }

@@ -28,9 +28,9 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
@@ -229,7 +229,7 @@ public final class PortalTool implements Tool {
         Vec3 up = pointer.isPlan() ? pointer.camera().up() : UP;
         // The difference to a far origin would lose digits of the direction.
         Basis view = Basis.lookAt(Vec3.ZERO, sight, up, Basis.WORLD);
-        return placement(gun).place(id, new ShotRay(eye, view), others, MovingSurfaces.NONE);
+        return placement(gun).place(id, new ShotRay(eye, view), others, Obstacles.NONE);
     }
 
     /** Returns true if a portal still fits where it is. */

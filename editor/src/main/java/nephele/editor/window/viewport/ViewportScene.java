@@ -12,7 +12,6 @@ import nephele.editor.draw.PaneInset.LegendLine;
 import nephele.editor.draw.PaneInset.Pattern;
 import nephele.editor.draw.ViewportDrawing;
 import nephele.editor.draw.ViewportFrame;
-import nephele.editor.draw.ViewportFrame.GuideLines;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
@@ -141,11 +140,10 @@ final class ViewportScene implements SurfacePainter {
             active = panes.get(i).place().index() == layout.active() ? i : active;
         }
         boolean isDark = session.settings().get(EditorSetting.THEME) == Theme.DARK;
-        boolean hasLines = session.settings().get(EditorSetting.GUIDE_LINES);
         Look look = new Look(
                 isDark ? Background.DARK : Background.LIGHT,
                 session.grid().stepMetres(),
-                hasLines ? GuideLines.SHOWN : GuideLines.HIDDEN,
+                session.settings().get(EditorSetting.GUIDE_LINES),
                 scale);
         return new ViewportFrame(
                 session.document().level(),

@@ -14,6 +14,9 @@ import nephele.engine.math.bvh.SpatialIndex;
 
 /** The solid shapes of a level, found by place: its solids in their order, then its convex models. */
 public final class BrushIndex {
+    /** Depth up to which shapes only touch. */
+    public static final double TOUCHING_METRES = 1e-6;
+
     private final List<Brush> brushes;
     private final SpatialIndex index;
 
@@ -73,7 +76,7 @@ public final class BrushIndex {
     }
 
     private static boolean mayReachInto(ConvexPolyhedron shape, Aabb box) {
-        return shape.faces().stream().noneMatch(face -> BoxSide.least(face.plane(), box) >= -BoxSide.TOUCHING_METRES);
+        return shape.faces().stream().noneMatch(face -> face.plane().leastDistance(box) >= -TOUCHING_METRES);
     }
 
     /**

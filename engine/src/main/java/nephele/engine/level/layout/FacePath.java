@@ -27,7 +27,7 @@ public final class FacePath {
     }
 
     /** Returns a solid's path and id for messages. */
-    static String named(Level level, int solid) {
+    public static String named(Level level, int solid) {
         return of(solid) + " ('" + level.solids().get(solid).id() + "')";
     }
 }

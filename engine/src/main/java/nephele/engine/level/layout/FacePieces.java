@@ -29,7 +29,7 @@ public final class FacePieces {
     }
 
     /** Returns the part of a polygon that lies over another one in the same plane. */
-    static List<Vec3> common(List<Vec3> polygon, List<Vec3> other, Vec3 normal) {
+    public static List<Vec3> common(List<Vec3> polygon, List<Vec3> other, Vec3 normal) {
         List<Vec3> kept = polygon;
         for (int i = 0; i < other.size() && kept.size() >= 3; i++) {
             Vec3 from = other.get(i);
@@ -43,7 +43,7 @@ public final class FacePieces {
     }
 
     /** Returns the parts of polygons outside a solid. */
-    static List<List<Vec3>> outside(List<List<Vec3>> polygons, ConvexPolyhedron solid) {
+    public static List<List<Vec3>> outside(List<List<Vec3>> polygons, ConvexPolyhedron solid) {
         List<List<Vec3>> kept = new ArrayList<>();
         for (List<Vec3> polygon : polygons) {
             List<Vec3> rest = polygon;
@@ -72,7 +72,7 @@ public final class FacePieces {
     }
 
     /** Returns the area of a flat polygon over its longest edge: the width of a rectangle, 0 for no area. */
-    static double widthMetres(List<Vec3> polygon) {
+    public static double widthMetres(List<Vec3> polygon) {
         double longest = 0;
         for (int i = 0; i < polygon.size(); i++) {
             Vec3 next = polygon.get((i + 1) % polygon.size());

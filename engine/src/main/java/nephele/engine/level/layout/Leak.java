@@ -37,8 +37,8 @@ public final class Leak {
     /** Free space around all shapes; its sides are the outside. */
     private static final double MARGIN_METRES = 1;
 
-    /** Share of the directions from the start that have to meet a shape; a level with fewer is open on purpose. */
-    private static final double CLOSED_SHARE = 0.8;
+    /** Fraction of the directions from the start that have to meet a shape; a level with fewer is open on purpose. */
+    private static final double CLOSED_FRACTION = 0.8;
 
     private static final int DIRECTIONS = 400;
 
@@ -76,7 +76,7 @@ public final class Leak {
             world = world.union(shape.bounds());
         }
         world = world.grown(MARGIN_METRES);
-        List<Vec3> path = new LeakSearch(FreeCells.of(shapes, world), world).path(from);
+        List<Vec3> path = FreeCells.pathOut(shapes, world, from);
         return straightened(divided(path), new BrushIndex(statics));
     }
 
@@ -121,7 +121,7 @@ public final class Leak {
                     (ray, item, limit) -> entry(shapes.get(item), ray));
             met += isMet ? 1 : 0;
         }
-        return met >= CLOSED_SHARE * DIRECTIONS;
+        return met >= CLOSED_FRACTION * DIRECTIONS;
     }
 
     /** Clips the ray by the shape's half-spaces; a shape without planes is its bounds. */

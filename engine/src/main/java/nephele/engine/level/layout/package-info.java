@@ -1,5 +1,2 @@
-/**
- * Rules on how the shapes of a placed level lie to each other: what fights, hides, leaks or stands in a solid. Each is a
- * {@link nephele.engine.level.placed.LevelRule}; {@code rule.LevelRules.ALL} is the list.
- */
+/** How the shapes of a placed level lie to each other: solids by place, parts of faces, and the leak of a closed level. */
 package nephele.engine.level.layout;

@@ -3,8 +3,8 @@ package nephele.lab.trade.subject;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.lab.placement.RandomWall;
@@ -86,7 +86,7 @@ public final class PlacementSubject implements Experiment {
         RectangleQuestion asked = questions.get(question);
         return setting == 0
                 ? asked.byFourLines()
-                : exact.get(question).place("shot", asked.shot().aim, List.of(), MovingSurfaces.NONE)
+                : exact.get(question).place("shot", asked.shot().aim, List.of(), Obstacles.NONE)
                         instanceof PlacementResult.Fits;
     }
 

@@ -241,13 +241,7 @@ public final class Impostors {
     }
 
     private static boolean isInFront(Aabb box, Plane clip) {
-        if (clip == null) {
-            return true;
-        }
-        double x = clip.nx() > 0 ? box.minX() : box.maxX();
-        double y = clip.ny() > 0 ? box.minY() : box.maxY();
-        double z = clip.nz() > 0 ? box.minZ() : box.maxZ();
-        return clip.signedDistance(x, y, z) > 0;
+        return clip == null || clip.leastDistance(box) > 0;
     }
 
     /** Returns by how much a direction may be wrong: pixels are narrowest in the corners of a picture. */

@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
 /** Bodies that start in an overlap are reported, and those that only seem to are not. */
-class StartRulesTest {
+class BodyRulesTest {
     private static final Vec3 AHEAD = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(1, 0, 0);
 

@@ -1,4 +1,4 @@
-package nephele.engine.level.layout;
+package nephele.engine.rule;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -22,7 +22,7 @@ class ImpostorCostTest {
     private static List<Problem> problems(int kinds, int ofEach) {
         Level level = level(kinds, ofEach);
         List<Problem> found = new ArrayList<>();
-        ImpostorCost.FEW.check().apply(level, null, StaticShapes.of(level, TestAssets.NONE), found::add);
+        ModelRules.IMPOSTOR_COST.check().apply(level, null, StaticShapes.of(level, TestAssets.NONE), found::add);
         return found;
     }
 
