@@ -131,12 +131,10 @@ public final class ProvingActions {
         List<LevelProblem> problems = call.session().proving().problems().shown();
         Words words = problems.isEmpty()
                 ? ProvingText.NO_PROBLEMS.words()
-                : ProvingText.PROBLEMS
-                        .words()
-                        .with(
-                                count(problems, LevelProblem.Severity.ERROR),
-                                count(problems, LevelProblem.Severity.WARNING),
-                                count(problems, LevelProblem.Severity.HINT));
+                : ProvingText.PROBLEMS.with(
+                        count(problems, LevelProblem.Severity.ERROR),
+                        count(problems, LevelProblem.Severity.WARNING),
+                        count(problems, LevelProblem.Severity.HINT));
         call.session().status(words);
         call.ui().show("problems");
         Optional<LevelProblem> error = problems.stream()

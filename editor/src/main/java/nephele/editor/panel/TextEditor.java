@@ -3,7 +3,6 @@ package nephele.editor.panel;
 import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -15,7 +14,7 @@ import nephele.engine.level.TextKind;
 import net.miginfocom.swing.MigLayout;
 
 /** A text field, of several lines for prose, with a button for a file. */
-final class TextEditor implements FieldEditor {
+final class TextEditor {
     private final FieldChanges changes;
     private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 2, fill", "[grow, fill][]", ""));
     private final TextEntry entry;
@@ -70,15 +69,13 @@ final class TextEditor implements FieldEditor {
         }
     }
 
-    @Override
-    public JComponent component() {
-        return panel;
+    FieldEditor editor() {
+        return new FieldEditor(panel, this::show);
     }
 
-    @Override
-    public void show(InspectorField next) {
+    private void show(InspectorField next) {
         field = next;
-        entry.show(next.value() instanceof String text ? text : "", FieldEditors.placeholder(next, changes));
+        entry.show(next.value() instanceof String text ? text : "", FieldEditor.placeholder(next, changes));
         showPicture();
     }
 }

@@ -37,7 +37,7 @@ final class ProblemMarks {
     private static List<Mark> of(Level level, EntityPath path) {
         if (path.entity(level) instanceof Solid solid) {
             try {
-                Optional<BrushFace> face = FaceEdit.derived(level, path);
+                Optional<BrushFace> face = path.derivedFace(level);
                 return face.isPresent()
                         ? area(face.get().polygon())
                         : edges(Brush.of(solid).shape());

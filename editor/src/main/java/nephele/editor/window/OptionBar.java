@@ -1,7 +1,6 @@
 package nephele.editor.window;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,10 +8,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.JToggleButton;
@@ -23,22 +20,13 @@ import nephele.editor.action.EditorKeys;
 import nephele.editor.document.Grid;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.session.EditorSession;
+import nephele.editor.widget.WordCell;
 import nephele.engine.level.Language;
 
 /** The bar below the toolbar: how the active pane looks, panes, snapping, grid, and the options of the tool in use. */
 final class OptionBar extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private static final class StepCell extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text = value instanceof Double metres ? NumberExpression.text(metres) + " m" : "";
-            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
-        }
-    }
     /** Groups of the view, in order; the step of the grid is chosen between the last two. */
     private static final List<List<String>> VIEW = List.of(
             List.of("lit", "unlit", "portalable", "collision", "wireframe"),
@@ -117,7 +105,7 @@ final class OptionBar extends JPanel {
         for (double metres = Grid.FINEST_METRES; metres <= Grid.COARSEST_METRES; metres *= 2) {
             grid.addItem(metres);
         }
-        grid.setRenderer(new StepCell());
+        grid.setRenderer(new WordCell<Double>(metres -> NumberExpression.text(metres) + " m"));
         // The widest text, "0.125 m", and the arrow.
         grid.setPrototypeDisplayValue(Grid.FINEST_METRES);
         layers = new LayerBox(session);

@@ -27,7 +27,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
-import nephele.editor.widget.TextListener;
+import nephele.editor.widget.Listeners;
 import nephele.engine.level.Language;
 
 /** A list that typed words narrow; Up, Down, PageUp and PageDown move, Enter and a click choose, Esc ends it. */
@@ -107,36 +107,45 @@ public final class SearchList<T> extends JPanel {
     private final transient Function<T, SearchRow> rows;
     private final transient Consumer<Optional<T>> done;
 
-    /**
-     * The search of a list, its rows and its effect.
-     *
-     * @param find returns the elements that a query finds, in order
-     * @param done receives the chosen element, or nothing if the user gives up
-     */
-    public record Search<T>(
+    /** Creates a list that shows what an empty query finds, in rows of the usual height. */
+    public SearchList(
             DialogText prompt,
             Function<String, List<T>> find,
             Function<T, SearchRow> rows,
-            Consumer<Optional<T>> done) {}
-
-    /** Creates a list that shows what an empty query finds. */
-    public SearchList(Search<T> search, Language language) {
-        this(search, language, ROW_POINTS);
+            Consumer<Optional<T>> done,
+            Language language) {
+        this(prompt, find, rows, done, language, ROW_POINTS);
     }
 
-    /** @param rowPoints height of a row at 100 % */
-    SearchList(Search<T> search, Language language, int rowPoints) {
+    /**
+     * Creates a list that shows what an empty query finds.
+     *
+     * @param find returns the elements that a query finds, in order
+     * @param done receives the chosen element, or nothing if the user gives up
+     * @param rowPoints height of a row at 100 %
+     */
+    SearchList(
+            DialogText prompt,
+            Function<String, List<T>> find,
+            Function<T, SearchRow> rows,
+            Consumer<Optional<T>> done,
+            Language language,
+            int rowPoints) {
         super(new BorderLayout(0, UIScale.scale(6)));
-        find = search.find();
-        rows = search.rows();
-        done = search.done();
+        this.find = find;
+        this.rows = rows;
+        this.done = done;
         int margin = UIScale.scale(8);
         setBorder(BorderFactory.createEmptyBorder(margin, margin, margin, margin));
-        String prompt = search.prompt().in(language);
-        query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt);
-        query.getAccessibleContext().setAccessibleName(prompt);
-        query.getDocument().addDocumentListener(new TextListener(this::refind));
-        query.addKeyListener(new Choosing());
+        query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt.in(language));
+        query.getAccessibleContext().setAccessibleName(prompt.in(language));
+        Listeners.onText(query, this::refind);
+        query.addKeyListener(new KeyAdapter() {
+            @Override
+            public void keyPressed(KeyEvent event) {
+                pressed(event);
+            }
+        });
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new SearchCell<>(rows, rowPoints));
         list.setFixedCellHeight(UIScale.scale(rowPoints));
@@ -158,22 +167,19 @@ public final class SearchList<T> extends JPanel {
         refind();
     }
 
-    private final class Choosing extends KeyAdapter {
-        @Override
-        public void keyPressed(KeyEvent event) {
-            switch (event.getKeyCode()) {
-                case KeyEvent.VK_ENTER -> choose();
-                case KeyEvent.VK_ESCAPE -> done.accept(Optional.empty());
-                case KeyEvent.VK_DOWN -> step(1);
-                case KeyEvent.VK_UP -> step(-1);
-                case KeyEvent.VK_PAGE_DOWN -> step(list.getVisibleRowCount());
-                case KeyEvent.VK_PAGE_UP -> step(-list.getVisibleRowCount());
-                default -> {
-                    return;
-                }
+    private void pressed(KeyEvent event) {
+        switch (event.getKeyCode()) {
+            case KeyEvent.VK_ENTER -> choose();
+            case KeyEvent.VK_ESCAPE -> done.accept(Optional.empty());
+            case KeyEvent.VK_DOWN -> step(1);
+            case KeyEvent.VK_UP -> step(-1);
+            case KeyEvent.VK_PAGE_DOWN -> step(list.getVisibleRowCount());
+            case KeyEvent.VK_PAGE_UP -> step(-list.getVisibleRowCount());
+            default -> {
+                return;
             }
-            event.consume();
         }
+        event.consume();
     }
 
     private void refind() {

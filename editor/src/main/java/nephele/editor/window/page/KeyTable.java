@@ -94,7 +94,9 @@ final class KeyTable extends AbstractTableModel {
     private String conflictText(EditorCommand command) {
         return keys.conflicts().stream()
                 .filter(conflict -> conflict.commands().contains(command.id()))
-                .map(conflict -> PageText.ALSO.in(language, conflict.key().text(), others(conflict, command)))
+                .map(conflict -> PageText.ALSO
+                        .with(conflict.key().text(), others(conflict, command))
+                        .in(language))
                 .collect(Collectors.joining("; "));
     }
 
