@@ -13,12 +13,12 @@ import nephele.engine.render.frame.Output;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
+import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
-import picocli.CommandLine;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
 public final class CommandLineFront {

@@ -2,9 +2,9 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
+import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
 import nephele.host.playthrough.CrosshairState.Shot;
-import nephele.host.playthrough.CrosshairState;
 
 /**
  * The crosshair: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons.
