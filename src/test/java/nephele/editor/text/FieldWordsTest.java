@@ -8,7 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.TreeSet;
 import nephele.editor.panel.model.BeaconLevel;
-import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Language;
@@ -50,7 +50,7 @@ class FieldWordsTest {
 
     @Test
     void everyKindInThePaletteHasWords() {
-        for (PaletteModel.Entry entry : PaletteModel.entries(nephele.editor.record.LevelStructure.LEVEL)) {
+        for (PaletteEntry entry : PaletteEntry.all(nephele.editor.record.LevelStructure.LEVEL)) {
             assertTrue(KindWords.known(entry.kind()).isPresent(), entry.kind());
         }
     }

@@ -3,8 +3,7 @@ package nephele.editor.widget;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import nephele.editor.panel.model.PaletteModel;
-import nephele.editor.panel.model.PaletteModel.Entry;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.record.LevelStructure;
 import org.junit.jupiter.api.Test;
 
@@ -12,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class EntityIconsTest {
     @Test
     void eachKindOfThePaletteHasADrawing() {
-        List<Entry> without = PaletteModel.entries(LevelStructure.LEVEL).stream()
+        List<PaletteEntry> without = PaletteEntry.all(LevelStructure.LEVEL).stream()
                 .filter(entry ->
                         EntityIcons.drawing(entry.section(), entry.kind()).isEmpty())
                 .toList();

@@ -36,7 +36,7 @@ final class FieldLine {
     FieldLine(InspectorField field, FieldChanges changes, AssetChooser chooser) {
         this.field = field;
         this.changes = changes;
-        editor = FieldEditors.make(field, changes, chooser);
+        editor = FieldEditor.make(field, changes, chooser);
         menu.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         menu.addActionListener(event -> menu().show(menu, 0, menu.getHeight()));
         title.setLabelFor(editor.component());
@@ -94,7 +94,7 @@ final class FieldLine {
                 .setAccessibleName(PanelText.MENU_OF.with(words).in(changes.language()));
         menu.setVisible(menu().getComponentCount() > 0);
         editor.component().getAccessibleContext().setAccessibleName(words);
-        editor.show(next);
+        editor.show().accept(next);
         enable(editor.component(), !next.isUnset());
     }
 

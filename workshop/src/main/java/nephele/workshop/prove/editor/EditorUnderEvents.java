@@ -20,7 +20,6 @@ import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
 import nephele.editor.start.EditorParts;
 import nephele.editor.window.EditorPanel;
-import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.viewport.ViewportSurface;
@@ -80,12 +79,12 @@ final class EditorUnderEvents implements AutoCloseable {
     }
 
     void resize(Dimension size) {
-        PanelPicture.layOut(panel, size);
+        panel.layOut(size);
     }
 
     /** Paints the whole editor, its viewport included. */
     void paint() {
-        PanelPicture.of(panel);
+        panel.picture();
         surface().failure().ifPresent(failure -> {
             throw new IllegalStateException("the viewport cannot be drawn: " + failure, failure);
         });

@@ -22,7 +22,6 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.start.EditorParts;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
-import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.DialogFrame;
 import nephele.engine.math.Vec3;
@@ -128,7 +127,7 @@ final class PicturedEditor implements AutoCloseable {
     }
 
     private void layOut() {
-        PanelPicture.layOut(panel, look.screen());
+        panel.layOut(look.screen());
         Dimension size = viewport().getSize();
         session.viewport(new PaneSize(size.width, size.height));
     }
@@ -160,7 +159,7 @@ final class PicturedEditor implements AutoCloseable {
 
     /** Paints the whole editor, its viewport included. */
     BufferedImage picture() {
-        BufferedImage picture = PanelPicture.of(panel);
+        BufferedImage picture = panel.picture();
         panel.viewport().surface().failure().ifPresent(failure -> {
             throw new IllegalStateException("the viewport cannot be drawn: " + failure, failure);
         });
