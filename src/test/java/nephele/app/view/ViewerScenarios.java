@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Size;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.scenes.file.OpenedScene;
@@ -25,7 +26,7 @@ public final class ViewerScenarios {
     private static final int MOST_FRAMES = 400;
 
     private final ViewerInput input = new ViewerInput();
-    private final GameWindow window = GameWindow.open(new GameWindow.Request("Viewer test", 320, 240), input);
+    private final GameWindow window = GameWindow.open("Viewer test", new Size(320, 240), input);
     private final long handle = glfwGetCurrentContext();
     private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();

@@ -16,8 +16,8 @@ import nephele.app.play.WaitingGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.view.SceneViewer;
+import nephele.app.window.Size;
 import nephele.app.window.SystemDisplay;
-import nephele.app.window.WindowSize;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
@@ -30,7 +30,7 @@ import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import nephele.host.userfile.UserFolders;
-import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
@@ -52,7 +52,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--from",
             paramLabel = "x,y,z,yawDeg,pitchDeg",
-            converter = NumberList.StartConverter.class,
             description = "Begin with the feet here, looking there.")
     private PlayerStart from;
 
@@ -78,7 +77,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--upright-rate",
             paramLabel = "DEG_PER_SECOND|instant",
-            converter = UprightRateConverter.class,
             description = {
                 "How fast the view turns upright after a portal has left it leaning: 10 or more, or instant",
                 "(default: 360). Stored with --record; a replay brings its own."
@@ -95,7 +93,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--compare",
             paramLabel = "A,B",
-            converter = PairConverter.class,
             description = {
                 "Draw the clouds of LEVEL by two techniques, A left and B right of a wipe that ← and → move:",
                 "auto, skybox, skyplane, procedural, billboard, particles, volume."
@@ -108,7 +105,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--size",
             paramLabel = "WxH",
-            converter = Size.Converter.class,
             description = "The window or picture in pixels (default: the settings' resolution, else 1280x720).")
     private Size size;
 
@@ -136,6 +132,11 @@ final class PlayCommand implements Command {
 
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
+    }
+
+    @Override
+    public void register(CommandLine commandLine) {
+        commandLine.registerConverter(UprightRate.class, PlayCommand::uprightRate);
     }
 
     @Override
@@ -197,8 +198,8 @@ final class PlayCommand implements Command {
     }
 
     /** @param chosen by the player's settings; null for none */
-    private PlayRequest.Picture picture(WindowSize chosen) {
-        Size usual = chosen == null ? Size.DEFAULT : new Size(chosen.width(), chosen.height());
+    private PlayRequest.Picture picture(Size chosen) {
+        Size usual = chosen == null ? Size.DEFAULT : chosen;
         Size pixels = size == null ? usual : size;
         return new PlayRequest.Picture(pixels.width(), pixels.height(), fullScreen);
     }
@@ -273,36 +274,20 @@ final class PlayCommand implements Command {
                         + " and none"));
     }
 
-    /** Parses two techniques of clouds, such as `particles,volume`. */
-    static final class PairConverter implements ITypeConverter<TechniquePair> {
-        @Override
-        public TechniquePair convert(String text) {
-            try {
-                return TechniquePair.parse(text);
-            } catch (IllegalArgumentException wrong) {
-                throw new TypeConversionException(wrong.getMessage());
-            }
-        }
-    }
-
     /** The rate of {@code --upright-rate}, which may also be a word. */
     record UprightRate(int degreesPerSecond) {}
 
-    /** Reads whole degrees per second, or {@code instant}. */
-    static final class UprightRateConverter implements ITypeConverter<UprightRate> {
-        @Override
-        public UprightRate convert(String text) {
-            if (text.equals("instant")) {
-                return new UprightRate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
-            }
-            int rate = text.matches("[0-9]{1,6}") ? Integer.parseInt(text) : 0;
-            if (rate < SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND
-                    || rate > SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND) {
-                throw new TypeConversionException("'" + text + "' must be `instant` or whole degrees per second from "
-                        + SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND + " to "
-                        + SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
-            }
-            return new UprightRate(rate);
+    private static UprightRate uprightRate(String text) {
+        if (text.equals("instant")) {
+            return new UprightRate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
         }
+        int rate = text.matches("[0-9]{1,6}") ? Integer.parseInt(text) : 0;
+        if (rate < SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND
+                || rate > SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND) {
+            throw new TypeConversionException("'" + text + "' must be `instant` or whole degrees per second from "
+                    + SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND + " to "
+                    + SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
+        }
+        return new UprightRate(rate);
     }
 }

@@ -25,9 +25,7 @@ import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.ResumableTrace;
 import nephele.lab.bake.TracedPictures;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
 public final class ReferenceOptions {
@@ -57,7 +55,6 @@ public final class ReferenceOptions {
     @Option(
             names = "--shard",
             paramLabel = "i/n",
-            converter = ShardConverter.class,
             description = "Trace every n-th tile of --reference only, from the i-th on, into FILE.i-of-n.part: for n"
                     + " machines.")
     private Shard shard;
@@ -195,17 +192,5 @@ public final class ReferenceOptions {
     private Path partFile(Path out) {
         String fraction = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
         return out.resolveSibling(out.getFileName() + fraction + ".part");
-    }
-
-    /** Reads {@code i/n}. */
-    public static final class ShardConverter implements ITypeConverter<Shard> {
-        @Override
-        public Shard convert(String text) {
-            try {
-                return Shard.parse(text);
-            } catch (IllegalArgumentException unusable) {
-                throw new TypeConversionException(unusable.getMessage());
-            }
-        }
     }
 }

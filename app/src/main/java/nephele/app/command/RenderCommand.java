@@ -48,8 +48,21 @@ final class RenderCommand implements Command {
             description = "F.png, as seen, or F.pfm, linear radiance before exposure and tone curve.")
     private Path out;
 
-    @Mixin
-    private ViewOptions view;
+    @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
+    private String camera;
+
+    @Option(names = "--eye", paramLabel = "x,y,z", description = "Look from here; needs --target.")
+    private Vec3 eye;
+
+    @Option(names = "--target", paramLabel = "x,y,z", description = "Look at this point; needs --eye.")
+    private Vec3 target;
+
+    @Option(
+            names = "--fov",
+            paramLabel = "DEG",
+            description = "Horizontal field of view with --eye (default: the player's).")
+    @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
+    private Double fovDegrees;
 
     @Mixin
     private PictureOptions picture;
@@ -85,7 +98,7 @@ final class RenderCommand implements Command {
         }
         var opened = byTechnique(new LevelName(level).open());
         opened.notice().ifPresent(terminal.err()::println);
-        var viewpoint = view.in(opened, picture.aspect());
+        var viewpoint = viewpoint(opened);
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
@@ -204,49 +217,23 @@ final class RenderCommand implements Command {
         return out.toString().toLowerCase(Locale.ROOT);
     }
 
-    /** The options of the viewpoint. */
-    static final class ViewOptions {
-        @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
-        private String camera;
-
-        @Option(
-                names = "--eye",
-                paramLabel = "x,y,z",
-                converter = NumberList.PointConverter.class,
-                description = "Look from here; needs --target.")
-        private Vec3 eye;
-
-        @Option(
-                names = "--target",
-                paramLabel = "x,y,z",
-                converter = NumberList.PointConverter.class,
-                description = "Look at this point; needs --eye.")
-        private Vec3 target;
-
-        @Option(
-                names = "--fov",
-                paramLabel = "DEG",
-                description = "Horizontal field of view with --eye (default: the player's).")
-        @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
-        private Double fovDegrees;
-
-        IntFunction<View> in(OpenedLevel opened, double aspect) {
-            if ((eye == null) != (target == null)) {
-                throw CommandFailure.usage("--eye and --target need each other");
-            }
-            if (eye == null && fovDegrees != null) {
-                throw CommandFailure.usage("--fov needs --eye and --target");
-            }
-            if (eye != null) {
-                if (camera != null) {
-                    throw CommandFailure.usage("--camera and --eye exclude each other");
-                }
-                var view = Viewpoints.between(eye, target, fovDegrees, aspect);
-                return frame -> view;
-            }
-            return camera == null
-                    ? Viewpoints.standard(opened.level(), opened.file(), aspect)
-                    : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
+    private IntFunction<View> viewpoint(OpenedLevel opened) {
+        double aspect = picture.aspect();
+        if ((eye == null) != (target == null)) {
+            throw CommandFailure.usage("--eye and --target need each other");
         }
+        if (eye == null && fovDegrees != null) {
+            throw CommandFailure.usage("--fov needs --eye and --target");
+        }
+        if (eye != null) {
+            if (camera != null) {
+                throw CommandFailure.usage("--camera and --eye exclude each other");
+            }
+            var view = Viewpoints.between(eye, target, fovDegrees, aspect);
+            return frame -> view;
+        }
+        return camera == null
+                ? Viewpoints.standard(opened.level(), opened.file(), aspect)
+                : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
     }
 }

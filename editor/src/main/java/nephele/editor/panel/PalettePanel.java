@@ -56,7 +56,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             Graphics2D g = (Graphics2D) graphics.create();
             g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             int side = getIconWidth();
-            Color colour = LinearColour.shown(material.baseColour());
+            Color colour = LinearColour.onScreen(material.baseColour());
             Optional<BufferedImage> picture =
                     Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
             g.setColor(colour);
@@ -90,7 +90,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     private final transient Map<AbstractButton, BooleanSupplier> choices = new LinkedHashMap<>();
 
     private final transient AssetPictures pictures;
-    private transient List<Material> shown = List.of();
+    private transient List<Material> listed = List.of();
 
     /** @param pictures of the textures of materials */
     public PalettePanel(EditorSession session, AssetPictures pictures) {
@@ -106,7 +106,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             }
         });
         registration = session.listen(change -> {
-            if (change == SessionChange.SETTINGS || session.document().level().materials() != shown) {
+            if (change == SessionChange.SETTINGS || session.document().level().materials() != listed) {
                 refresh();
             } else if (change == SessionChange.VIEW) {
                 showChosen();
@@ -116,7 +116,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     }
 
     private void refresh() {
-        shown = session.document().level().materials();
+        listed = session.document().level().materials();
         Language language = session.language();
         getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
@@ -181,7 +181,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void materials(JPanel grid) {
         material(grid, Material.DEFAULT_GREY, null, PanelText.GREY.in(session.language()));
-        shown.forEach(material -> material(grid, material, material.id(), material.id()));
+        listed.forEach(material -> material(grid, material, material.id(), material.id()));
         MaterialLibrary.STANDARD
                 .missingIn(session.document().level())
                 .forEach(material -> material(grid, material, material.id(), material.id()));

@@ -112,7 +112,7 @@ public record PixelExplanation(List<String> lines) {
             List<String> lines, Language language, Level level, TracedLevel traced, PaneEye eye, PaneEye.Pixel pixel) {
         float[] radiance = ReferencePicture.trace(
                 traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), fraction -> {});
-        Picture shown = TracedCorner.TraceProgress.picture(radiance, 1, level);
+        Picture displayed = TracedCorner.TraceProgress.picture(radiance, 1, level);
         lines.add(ProvingText.LIGHT
                 .with(
                         number(radiance[0]) + " " + number(radiance[1]) + " " + number(radiance[2]),
@@ -120,9 +120,9 @@ public record PixelExplanation(List<String> lines) {
                         String.format(
                                 Locale.ROOT,
                                 "#%02x%02x%02x",
-                                shown.sample(0, 0, 0),
-                                shown.sample(0, 0, 1),
-                                shown.sample(0, 0, 2)))
+                                displayed.sample(0, 0, 0),
+                                displayed.sample(0, 0, 1),
+                                displayed.sample(0, 0, 2)))
                 .in(language));
     }
 

@@ -11,7 +11,6 @@ import java.util.Locale;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
 import nephele.engine.choice.CloudColumns;
-import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
@@ -143,7 +142,7 @@ public final class LevelTable {
 
     private static Row row(Cloud cloud, CloudTechnique technique, CloudSituation at, double error, double cost) {
         return new Row(
-                CloudForm.only(cloud).word(),
+                CloudSituation.formOfOnly(cloud),
                 technique,
                 rounded(at.opticalDepth()),
                 rounded(at.angularDegrees()),

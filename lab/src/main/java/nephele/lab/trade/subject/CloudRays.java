@@ -41,7 +41,7 @@ final class CloudRays implements AutoCloseable {
         height = (int) Math.round(WIDTH / view.projection().aspect());
         Environment environment = placed.level().environment();
         timeline = new CloudTimeline(environment, placed.assets(), Aabb.around(view.eye(), REGION), LightCells.DIVISOR);
-        clouds = timeline.at(environment, 0, view.eye()).from().clouds().all();
+        clouds = timeline.at(environment, 0, view.eye()).from().clouds();
         List<CloudMedium> media = LoadedClouds.of(environment, placed.assets()).at(0);
         exact = new double[WIDTH * height];
         for (int pixel = 0; pixel < exact.length; pixel++) {

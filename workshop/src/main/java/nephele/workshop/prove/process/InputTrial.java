@@ -38,8 +38,8 @@ import nephele.host.draw.QualityChoice;
 import nephele.host.named.Viewpoints;
 
 /**
- * One odd level: it is refused with the place of what is wrong, or it is saved and read back equal, explained, simulated
- * and drawn.
+ * Uses odd levels: each is refused with the place of what is wrong, or it is saved and read back equal, explained,
+ * simulated and drawn.
  */
 final class InputTrial {
     /** What became of a level. */
@@ -48,13 +48,6 @@ final class InputTrial {
         ACCEPTED,
         DRAWN
     }
-
-    /**
-     * The end of a trial.
-     *
-     * @param fault what went wrong, in words
-     */
-    record Ended(Outcome outcome, Optional<String> fault) {}
 
     /** A broken promise of the program. */
     private static final class Fault extends Exception {
@@ -80,19 +73,29 @@ final class InputTrial {
     private static final Pattern JAVA = Pattern.compile("Exception|\\b[A-Z]\\w+\\[\\w+=|\\bnull\\b|@[0-9a-f]{5,}");
 
     private final Path file;
+    private Outcome outcome = Outcome.REFUSED;
 
     /** @param folder with the pictures of {@link InputLevels}; a level is written into it */
     InputTrial(Path folder) {
         file = folder.resolve("level.json");
     }
 
-    /** @param gl {@code null} for a level that is not drawn */
-    Ended run(InputLevels.OddInput input, GlContext gl) {
-        Outcome outcome = Outcome.REFUSED;
+    /** Returns what became of the last level. */
+    Outcome outcome() {
+        return outcome;
+    }
+
+    /**
+     * Uses a level and returns what went wrong, in words.
+     *
+     * @param gl {@code null} for a level that is not drawn
+     */
+    Optional<String> run(InputLevels.OddInput input, GlContext gl) {
+        outcome = Outcome.REFUSED;
         try {
             Level level = checked(input);
             if (level == null) {
-                return new Ended(outcome, Optional.empty());
+                return Optional.empty();
             }
             outcome = Outcome.ACCEPTED;
             saved(level);
@@ -105,11 +108,11 @@ final class InputTrial {
                 drawn(placed, input.seconds(), gl);
                 outcome = Outcome.DRAWN;
             }
-            return new Ended(outcome, Optional.empty());
+            return Optional.empty();
         } catch (Fault fault) {
-            return new Ended(outcome, Optional.of(fault.getMessage()));
+            return Optional.of(fault.getMessage());
         } catch (Exception | StackOverflowError | OutOfMemoryError crash) {
-            return new Ended(outcome, Optional.of(reported(crash)));
+            return Optional.of(reported(crash));
         }
     }
 

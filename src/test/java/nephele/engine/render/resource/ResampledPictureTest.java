@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class MipLevelsTest {
+class ResampledPictureTest {
     private static Picture noise(int width, int height, int least, int most) {
         byte[] samples = new byte[4 * width * height];
         SplittableRandom random = new SplittableRandom(4);
@@ -34,7 +34,7 @@ class MipLevelsTest {
     void noLevelIsBrighterOrDarker(int width, int height, int least, int most) {
         Picture picture = noise(width, height, least, most);
         double[] linear = ColourDecoding.SRGB.table();
-        List<byte[]> levels = MipLevels.below(picture, ColourDecoding.SRGB);
+        List<byte[]> levels = ResampledPicture.mipLevels(picture, ColourDecoding.SRGB);
         assertEquals(4, levels.get(levels.size() - 1).length, "the last is a single texel");
         for (int channel = 0; channel < 3; channel++) {
             double whole = mean(picture.samples(), channel, linear);
@@ -56,7 +56,7 @@ class MipLevelsTest {
         for (ColourDecoding decoding : ColourDecoding.values()) {
             for (int code = 0; code < 256; code++) {
                 Picture picture = noise(5, 3, code, code);
-                for (byte[] level : MipLevels.below(picture, decoding)) {
+                for (byte[] level : ResampledPicture.mipLevels(picture, decoding)) {
                     for (byte value : level) {
                         assertEquals(code, value & 0xff);
                     }

@@ -8,12 +8,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-class PairedBootstrapTest {
-    private static final PairedBootstrap BOOTSTRAP = new PairedBootstrap(1_000, 7);
+class IntervalTest {
+    private static Interval median(double... values) {
+        return Interval.ofMedian(values, 1_000, 7);
+    }
 
     @Test
     void whatIsAlwaysTheSameIsCertain() {
-        var interval = BOOTSTRAP.median(new double[] {3, 3, 3, 3});
+        var interval = median(3, 3, 3, 3);
         assertEquals(new Interval(3, 3, 3), interval);
         assertFalse(interval.excludes(3));
         assertTrue(interval.excludes(3.001));
@@ -30,7 +32,7 @@ class PairedBootstrapTest {
             base[i] = load;
             tried[i] = 1.2 * load * (1 + 0.01 * random.nextGaussian());
         }
-        var interval = BOOTSTRAP.ratio(base, tried);
+        var interval = Interval.ofRatio(base, tried);
         assertEquals(1.2, interval.estimate(), 0.01);
         assertTrue(interval.low() > 1.19 && interval.high() < 1.21, interval.toString());
     }
@@ -43,22 +45,22 @@ class PairedBootstrapTest {
         int covered = 0;
         for (int experiment = 0; experiment < experiments; experiment++) {
             double[] values = random.doubles(25).map(u -> -Math.log(1 - u)).toArray();
-            covered += BOOTSTRAP.median(values).excludes(Math.log(2)) ? 0 : 1;
+            covered += median(values).excludes(Math.log(2)) ? 0 : 1;
         }
-        double share = (double) covered / experiments;
-        assertTrue(share > 0.92 && share < 0.985, "covered " + share);
+        double fraction = (double) covered / experiments;
+        assertTrue(fraction > 0.92 && fraction < 0.985, "covered " + fraction);
     }
 
     @Test
     void theSameNumbersGiveTheSameInterval() {
         double[] values = new Random(3).doubles(20).toArray();
-        assertEquals(BOOTSTRAP.median(values), BOOTSTRAP.median(values));
+        assertEquals(median(values), median(values));
     }
 
     @Test
     void refusesWhatHasNoRatio() {
-        assertThrows(IllegalArgumentException.class, () -> BOOTSTRAP.median(new double[0]));
-        assertThrows(IllegalArgumentException.class, () -> BOOTSTRAP.ratio(new double[2], new double[2]));
-        assertThrows(IllegalArgumentException.class, () -> BOOTSTRAP.ratio(new double[2], new double[3]));
+        assertThrows(IllegalArgumentException.class, () -> median(new double[0]));
+        assertThrows(IllegalArgumentException.class, () -> Interval.ofRatio(new double[2], new double[2]));
+        assertThrows(IllegalArgumentException.class, () -> Interval.ofRatio(new double[2], new double[3]));
     }
 }
