@@ -136,7 +136,7 @@ public final class ProvingActions {
                 .filter(problem -> problem.severity() == LevelProblem.Severity.ERROR)
                 .findFirst();
         if (error.isPresent()) {
-            throw new EditorRefusal(told(words, error.get()));
+            throw new EditorRefusal(counted(words, error.get()));
         }
     }
 
@@ -146,26 +146,26 @@ public final class ProvingActions {
                 .count();
     }
 
-    private static Words told(Words count, LevelProblem first) {
+    private static Words counted(Words count, LevelProblem first) {
         return Words.same("%s  –  %s: %s").with(count, first.path(), first.message());
     }
 
-    private static boolean shown(ActionCall call, boolean now) throws EditorRefusal {
+    private static boolean isWanted(ActionCall call, boolean now) throws EditorRefusal {
         return call.flag("show", !now);
     }
 
     private static void heat(ActionCall call) throws EditorRefusal {
         var heat = call.session().proving().heat();
-        heat.show(shown(call, heat.isVisible()));
+        heat.show(isWanted(call, heat.isVisible()));
     }
 
     private static void pathTrace(ActionCall call) throws EditorRefusal {
         var corner = call.session().proving().corner();
-        boolean shown = shown(call, corner.isVisible());
+        boolean isVisible = isWanted(call, corner.isVisible());
         if (call.text("spp").isPresent()) {
-            corner.show(shown, call.whole("spp", 1, MOST_SAMPLES, 1));
+            corner.show(isVisible, call.whole("spp", 1, MOST_SAMPLES, 1));
         } else {
-            corner.show(shown);
+            corner.show(isVisible);
         }
     }
 

@@ -77,7 +77,7 @@ final class SelectActions {
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
                             .document()
-                            .edit(SHOW_ALL, NoteEdits::allShown))
+                            .edit(SHOW_ALL, NoteEdits::allVisible))
                     .changing(Subject.LEVEL),
             EditorAction.of("lock", LOCK, Menu.SELECT, List.of("Ctrl+L"), SelectActions::lock)
                     .changing(Subject.LEVEL)
