@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
@@ -80,6 +81,7 @@ class EditorPanelSwingTest {
                 List.of(key),
                 List.of(),
                 any -> true,
+                any -> false,
                 call -> ran.add(id),
                 EditorAction.Subject.SESSION);
     }
@@ -109,6 +111,7 @@ class EditorPanelSwingTest {
                 keys,
                 List.of(),
                 any -> true,
+                session -> session.toolEntry() == tool,
                 call -> call.session().use(tool),
                 EditorAction.Subject.SESSION);
     }
@@ -120,7 +123,7 @@ class EditorPanelSwingTest {
                 "brush", "extrude", "vertex", "edge", "clip", "rotate", "scale", "paint", "portal", "place", "measure",
                 "light", "camera", "texture", "strange")) {
             Words title = Words.same(id);
-            tools.add(new ToolEntry(id, title, title, "", id, select.make()));
+            tools.add(new ToolEntry(id, title, title, "", select.make()));
         }
         return tools.stream();
     }
@@ -154,7 +157,7 @@ class EditorPanelSwingTest {
                 bottom,
                 List.of("file.open", "file.save", "edit.undo", "edit.redo", "play.start", "not.there"));
         panel = new EditorPanel(session, commands, slots);
-        PanelPicture.layOut(panel, size);
+        panel.layOut(size);
     }
 
     private static Solid largest(Level level) {
@@ -176,7 +179,7 @@ class EditorPanelSwingTest {
     void aLanguageSwitchedLiveCutsNothingOff(Theme theme, int percent, Language language) throws Exception {
         Dimension size = percent > 100 ? new Dimension(1920, 1200) : new Dimension(1280, 800);
         open(settings(theme, percent, language), size);
-        BufferedImage picture = PanelPicture.of(panel);
+        BufferedImage picture = panel.picture();
         write(picture, theme + "-" + percent + "-" + language);
         assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));
         JMenuBar bar = find(panel, JMenuBar.class);
@@ -184,7 +187,7 @@ class EditorPanelSwingTest {
         assertEquals(Menu.EDIT.title().in(language), bar.getMenu(1).getText());
         for (Language other : Language.values()) {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, other));
-            PanelPicture.layOut(panel, panel.getSize());
+            panel.layOut(panel.getSize());
             assertEquals(
                     Menu.TOOL.title().in(other),
                     bar.getMenu(Menu.TOOL.ordinal()).getText());
@@ -309,9 +312,9 @@ class EditorPanelSwingTest {
         assertTrue(panel.key(key(KeyEvent.VK_H)));
         assertEquals(List.of("brush.hollow"), ran);
         JTextField text = new JTextField();
-        assertTrue(WindowKeys.belongsTo(text, key(KeyEvent.VK_H)));
-        assertFalse(WindowKeys.belongsTo(text, key(KeyEvent.VK_F5)));
-        assertFalse(WindowKeys.belongsTo(new JLabel(), key(KeyEvent.VK_H)));
+        assertTrue(EditorWindow.belongsTo(text, key(KeyEvent.VK_H)));
+        assertFalse(EditorWindow.belongsTo(text, key(KeyEvent.VK_F5)));
+        assertFalse(EditorWindow.belongsTo(new JLabel(), key(KeyEvent.VK_H)));
         AbstractButton strange = named(panel, "tool-strange");
         strange.doClick();
         assertEquals("strange", session.toolEntry().id());
@@ -335,15 +338,15 @@ class EditorPanelSwingTest {
     void closingAsksOnlyIfSomethingWouldBeLost() {
         openSmall();
         List<String> asked = new ArrayList<>();
-        Closing.CloseQuestion never = (level, language) -> {
+        BiFunction<String, Language, Closing.Choice> never = (level, language) -> {
             asked.add(level);
-            return Closing.CloseQuestion.Choice.CANCEL;
+            return Closing.Choice.CANCEL;
         };
         assertTrue(new Closing(session, never, () -> true).isAllowed());
         session.document().edit(Words.same("x"), level -> level.with(level.materials(), List.of()));
         assertFalse(new Closing(session, never, () -> true).isAllowed());
         assertEquals(List.of("02-first-shot.json"), asked);
-        Closing.CloseQuestion save = (level, language) -> Closing.CloseQuestion.Choice.SAVE;
+        BiFunction<String, Language, Closing.Choice> save = (level, language) -> Closing.Choice.SAVE;
         assertFalse(new Closing(session, save, () -> false).isAllowed(), "a failed save loses nothing");
     }
 }

@@ -48,7 +48,7 @@ class LayerBoxSwingTest {
         EditorSlots slots = new EditorSlots(
                 null, new JLabel("outliner"), new JLabel("inspector"), new JTabbedPane(), List.of("undo"));
         panel = new EditorPanel(session, commands, slots);
-        PanelPicture.layOut(panel, new Dimension(1280, 800));
+        panel.layOut(new Dimension(1280, 800));
     }
 
     @AfterEach
@@ -113,7 +113,7 @@ class LayerBoxSwingTest {
         session.use(TerrainTool.ENTRY);
         for (Language language : Language.values()) {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, language));
-            PanelPicture.layOut(panel, panel.getSize());
+            panel.layOut(panel.getSize());
             assertTrue(box().orElseThrow().getWidth() > 0);
             assertEquals(
                     WindowText.LAYER_TO_PAINT.in(language), box().orElseThrow().getToolTipText());

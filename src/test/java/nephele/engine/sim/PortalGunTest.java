@@ -271,7 +271,7 @@ final class PortalGunTest {
                 around.with(held.released()),
                 around.with(TickTrace.of(8, CrossingWord.EMPTY, List.of())),
                 around.with(TickTrace.of(0, word, List.of())),
-                around.with(TickTrace.of(0, CrossingWord.EMPTY, List.of(new TickEvent.NothingInReach()))),
+                around.with(TickTrace.of(0, CrossingWord.EMPTY, List.of(TickEvent.Plain.NOTHING_IN_REACH))),
                 around.with(TickTrace.of(0, CrossingWord.EMPTY, List.of(new PortalOpened(Colour.FIRST, 0)))));
         assertEquals(
                 all.size(),

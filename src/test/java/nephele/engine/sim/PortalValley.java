@@ -19,10 +19,10 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementSurfaces;
@@ -108,7 +108,7 @@ final class PortalValley {
     private Portal shot(String id, Vec3 at, Basis view) {
         Vec3 aimed = at.x() == WALL_X ? at : new Vec3(at.x(), ground(at), at.z());
         Vec3 eye = aimed.addScaled(2, view.back());
-        PlacementResult result = placement.place(id, new ShotRay(eye, view), List.of(), MovingSurfaces.NONE);
+        PlacementResult result = placement.place(id, new ShotRay(eye, view), List.of(), Obstacles.NONE);
         return assertInstanceOf(PlacementResult.Fits.class, result, result::toString)
                 .portal();
     }

@@ -52,7 +52,7 @@ final class SafeReturnTest {
         while (lab.events().size() == 1) {
             lab.tick(PlayerInput.NONE);
         }
-        assertEquals(List.of(new TickEvent.PlayerFell(), new TickEvent.PlayerReturned()), lab.events());
+        assertEquals(List.of(TickEvent.Plain.PLAYER_FELL, TickEvent.Plain.PLAYER_RETURNED), lab.events());
         double dark = (lab.state().tick() - fell) / (double) rate;
         assertTrue(dark <= FallState.FADE_SECONDS, "fades for " + dark + " s");
         assertEquals(stood, lab.player().feet());
@@ -75,7 +75,7 @@ final class SafeReturnTest {
     @Test
     void whoNeverStoppedIsBackWhereItHadGroundForHalfASecond() {
         Lab lab = helped();
-        while (!lab.events().contains(new TickEvent.PlayerReturned())) {
+        while (!lab.events().contains(TickEvent.Plain.PLAYER_RETURNED)) {
             lab.tick(RIGHT);
         }
         Vec3 feet = lab.player().feet();
@@ -116,7 +116,7 @@ final class SafeReturnTest {
         Lab lab = new Lab().box(-10, -1, -2, 10, 0, 2).startAt(0, 0, -1.9, 0, 0).with(settings(120));
         Vec3 start = lab.player().feet();
         lab.hold(AHEAD, 0.5).hold(PlayerInput.NONE, 2);
-        assertTrue(lab.events().contains(new TickEvent.PlayerReturned()));
+        assertTrue(lab.events().contains(TickEvent.Plain.PLAYER_RETURNED));
         assertEquals(start, lab.player().feet());
     }
 
@@ -136,7 +136,7 @@ final class SafeReturnTest {
                     ? Math.max(most[0], Math.max(body, state.player().velocity().length()))
                     : 0;
         });
-        assertTrue(lab.events().contains(new TickEvent.PlayerReturned()));
+        assertTrue(lab.events().contains(TickEvent.Plain.PLAYER_RETURNED));
         assertTrue(most[0] < 3, "flung at " + most[0]);
         assertTrue(lab.player().feet().y() > -0.01, lab.player()::toString);
         assertTrue(lab.body(0).y() > 0.29, "the cube at " + lab.body(0));
@@ -152,7 +152,7 @@ final class SafeReturnTest {
             double dark = darkness(state);
             assertTrue(Math.abs(dark - before[0]) <= 1 / 30.0 + 1e-9, "no leap of the fade");
             before[0] = dark;
-            boolean returned = state.world().trace().events().contains(new TickEvent.PlayerReturned());
+            boolean returned = state.world().trace().events().contains(TickEvent.Plain.PLAYER_RETURNED);
             black[0] |= returned && dark == 1;
             assertTrue(!returned || dark == 1);
         });

@@ -85,7 +85,7 @@ class LandingDipTest {
             double before = 0;
             boolean isBack = false;
             for (int ticks = 0; ticks < 400 && !isBack; ticks++) {
-                isBack = room.ticks(1).walk().takeEvents().contains(new TickEvent.PlayerReturned());
+                isBack = room.ticks(1).walk().takeEvents().contains(TickEvent.Plain.PLAYER_RETURNED);
                 double dark = room.walk().darkness();
                 assertTrue(dark >= before && dark <= before + 1 / 30.0 + 1e-9, before + " then " + dark);
                 before = dark;

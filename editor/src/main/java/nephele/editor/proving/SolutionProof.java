@@ -8,8 +8,7 @@ import java.util.function.Supplier;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.play.PlayText;
-import nephele.editor.play.RecordedSolution;
-import nephele.editor.play.RecordedSolution.Outcome;
+import nephele.editor.play.SolutionCheck;
 import nephele.editor.play.SolutionVerdict;
 import nephele.editor.play.SolutionVerdict.Deviation;
 import nephele.editor.text.Words;
@@ -27,7 +26,9 @@ public final class SolutionProof {
 
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
-    private RecordedSolution.Running running;
+    /** Ends the check in progress; {@code null} before the first. */
+    private Runnable cancel;
+
     private SolutionVerdict verdict;
     private String failure;
     private Level checked;
@@ -43,8 +44,8 @@ public final class SolutionProof {
 
     /** Replays the solution beside a level's file in the level as it is now; a check in progress ends. */
     public void check(Path file) {
-        if (running != null) {
-            running.cancel();
+        if (cancel != null) {
+            cancel.run();
         }
         verdict = null;
         failure = null;
@@ -53,14 +54,13 @@ public final class SolutionProof {
         AssetSource assets = subject.assets();
         Level level = checked;
         Supplier<SimLevel> present = () -> SimLevel.of(PlacedLevel.of(level, assets));
-        running = RecordedSolution.check(
+        cancel = SolutionCheck.start(
                 file,
+                threads.work(),
                 () -> usable(present),
                 fraction -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * fraction)))),
-                new Outcome(
-                        result -> onSession(level, () -> checked(result)),
-                        message -> onSession(level, () -> failed(message))),
-                threads.work());
+                result -> onSession(level, () -> checked(result)),
+                message -> onSession(level, () -> failed(message)));
     }
 
     private static SimLevel usable(Supplier<SimLevel> present) {
@@ -119,8 +119,8 @@ public final class SolutionProof {
     /** A verdict is about the level that was checked: an edit takes its marks away and ends a check in progress. */
     void follow() {
         if (checked != null && subject.level() != checked) {
-            if (running != null) {
-                running.cancel();
+            if (cancel != null) {
+                cancel.run();
             }
             checked = null;
             dismiss();

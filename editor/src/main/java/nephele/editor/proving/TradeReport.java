@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import nephele.editor.text.Words;
 
 /**
@@ -20,20 +21,9 @@ public final class TradeReport {
 
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
-    private CommandLine commandLine = (level, out) -> List.of();
+    private BiFunction<Path, Path, List<String>> commandLine = (level, out) -> List.of();
     private Process process;
     private Path page;
-
-    /** The program that makes the report, and its arguments. */
-    @FunctionalInterface
-    public interface CommandLine {
-        /**
-         * Returns the words.
-         *
-         * @param out the folder that receives {@code index.html}; progress is printed as lines
-         */
-        List<String> words(Path level, Path out);
-    }
 
     TradeReport(ProvingSubject subject) {
         this.subject = subject;
@@ -43,8 +33,13 @@ public final class TradeReport {
         threads = other;
     }
 
-    /** Sets the program; without one, no report can be made. */
-    public void madeBy(CommandLine program) {
+    /**
+     * Sets the program; without one, no report can be made.
+     *
+     * @param program returns the command line for a level's file and the folder that receives {@code index.html}; the
+     *     program prints its progress as lines
+     */
+    public void madeBy(BiFunction<Path, Path, List<String>> program) {
         commandLine = program;
     }
 
@@ -70,7 +65,7 @@ public final class TradeReport {
      */
     public void start(Path level, Path out, Runnable finished) {
         page = null;
-        List<String> words = commandLine.words(level.toAbsolutePath(), out.toAbsolutePath());
+        List<String> words = commandLine.apply(level.toAbsolutePath(), out.toAbsolutePath());
         try {
             Files.createDirectories(out);
             process = new ProcessBuilder(words).redirectErrorStream(true).start();
@@ -103,7 +98,7 @@ public final class TradeReport {
             }
             if (code == 0 && Files.isRegularFile(result)) {
                 page = result;
-                subject.status(ProvingText.TRADE_DONE.words().with(result));
+                subject.status(ProvingText.TRADE_DONE.with(result));
                 finished.run();
             } else {
                 failed(last.isEmpty() ? "exit code " + code : last);
@@ -112,12 +107,12 @@ public final class TradeReport {
     }
 
     /** Shows each line as progress, and returns the last one. */
-    private String lines(Process started, InputStream authored) {
+    private String lines(Process started, InputStream output) {
         String last = "";
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(authored, StandardCharsets.UTF_8))) {
+        try (BufferedReader lines = new BufferedReader(new InputStreamReader(output, StandardCharsets.UTF_8))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 last = line.isBlank() ? last : line.strip();
-                Words words = ProvingText.TRADE_PROGRESS.words().with(last);
+                Words words = ProvingText.TRADE_PROGRESS.with(last);
                 threads.session().execute(() -> {
                     if (process == started) {
                         subject.status(words);
@@ -142,6 +137,6 @@ public final class TradeReport {
 
     private void failed(String reason) {
         process = null;
-        subject.status(ProvingText.TRADE_FAILED.words().with(reason));
+        subject.status(ProvingText.TRADE_FAILED.with(reason));
     }
 }

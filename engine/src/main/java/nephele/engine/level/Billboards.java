@@ -112,15 +112,7 @@ public record Billboards(
     /** Returns these billboards over a field instead of the listed places, and in wind. */
     public Billboards over(Field otherField, double variation, double wind) {
         return RecordCopy.with(
-                this,
-                "heightVariation",
-                variation,
-                "at",
-                List.of(),
-                "field",
-                otherField,
-                "windMetresPerSecond",
-                wind);
+                this, "heightVariation", variation, "at", List.of(), "field", otherField, "windMetresPerSecond", wind);
     }
 
     /** Returns these billboards with other axes. */

@@ -138,7 +138,8 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             Vec3 n = side.normal();
             boolean isLow = n.x() == -high.x() && n.z() == -high.z() && n.y() == 0;
             if (side != BoxFace.PLUS_Y && !isLow) {
-                faces.add(face(wedge, side.text(), sidePlane(box, n), wedge.faces().get(side.text())));
+                faces.add(face(
+                        wedge, side.text(), sidePlane(box, n), wedge.faces().get(side.text())));
             }
         }
         double run = high.x() != 0 ? wedge.size().x() : wedge.size().z();
@@ -180,7 +181,8 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             double nz = StrictMath.sin(angle);
             double distance = nx * prism.centre().x() + nz * prism.centre().z() + apothem;
             String name = "side " + i;
-            faces.add(face(prism, name, new Plane(nx, 0, nz, distance), prism.faces().get(name)));
+            faces.add(face(
+                    prism, name, new Plane(nx, 0, nz, distance), prism.faces().get(name)));
         }
         return faces;
     }

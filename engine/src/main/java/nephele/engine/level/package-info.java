@@ -4,4 +4,3 @@
  * level.appearance} tells what materials, lights and skies mean.
  */
 package nephele.engine.level;
-

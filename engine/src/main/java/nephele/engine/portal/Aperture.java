@@ -33,17 +33,14 @@ public final class Aperture {
      * less than half its width, the top is half an ellipse.
      */
     public static Aperture of(PortalShape shape, double widthMetres, double heightMetres) {
-        double[] corners =
-                switch (shape) {
-                    case RECTANGLE -> rectangle(widthMetres / 2, heightMetres / 2);
-                    case ELLIPSE -> ellipse(widthMetres / 2, heightMetres / 2);
-                    case ARCH -> arch(widthMetres / 2, heightMetres / 2);
-                };
-        return new Aperture(shape, widthMetres, heightMetres, corners);
+        return new Aperture(shape, widthMetres, heightMetres, corners(shape, widthMetres / 2, heightMetres / 2));
     }
 
-    private static double[] rectangle(double x, double y) {
-        return new double[] {-x, -y, x, -y, x, y, -x, y};
+    private static double[] corners(PortalShape shape, double x, double y) {
+        if (shape == PortalShape.RECTANGLE) {
+            return new double[] {-x, -y, x, -y, x, y, -x, y};
+        }
+        return shape == PortalShape.ELLIPSE ? ellipse(x, y) : arch(x, y);
     }
 
     private static double[] ellipse(double x, double y) {

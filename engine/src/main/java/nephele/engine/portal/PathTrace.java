@@ -96,6 +96,11 @@ public final class PathTrace {
         return place;
     }
 
+    /** Returns the reason for the end of the path. */
+    public End end() {
+        return end;
+    }
+
     /** Returns the fraction of the segment up to its end, 0 to 1. */
     public double freeFraction() {
         return freeFraction;
@@ -113,7 +118,12 @@ public final class PathTrace {
 
     /** Returns the crossings as a word, without any pair that goes through and back. */
     public CrossingWord word() {
-        CrossingWord word = CrossingWord.EMPTY;
+        return wordAfter(CrossingWord.EMPTY);
+    }
+
+    /** Returns the word of a path that leads to the start of this one, continued by the crossings of this one. */
+    public CrossingWord wordAfter(CrossingWord before) {
+        CrossingWord word = before;
         for (int i = 0; i < crossings; i++) {
             word = word.then(entered[i], portals);
         }

@@ -98,7 +98,7 @@ final class FallReturn {
             return tick - fall.fellTick() < fadeTicks ? walked : returned(walked, fall, events);
         }
         if (isBelowEverything(player)) {
-            events.add(new TickEvent.PlayerFell());
+            events.add(TickEvent.Plain.PLAYER_FELL);
             return walked.with(walked.world().with(fall.fell(tick)));
         }
         return walked.with(walked.world().with(stood(fall, walked)));
@@ -115,7 +115,7 @@ final class FallReturn {
         boolean jumpHeld = fallen.player().jumpHeld();
         PlayerState back = new PlayerState(
                 home.feet(), Vec3.ZERO, home.heading(), home.eyeMetres(), home.stance(), null, jumpHeld);
-        events.add(new TickEvent.PlayerReturned());
+        events.add(TickEvent.Plain.PLAYER_RETURNED);
         return fallen.withPlayer(back).with(fallen.world().with(TickTrace.NONE).with(fall.returned(fallen.tick())));
     }
 

@@ -8,9 +8,9 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.ShotRay;
@@ -86,7 +86,7 @@ public final class WallShot {
 
     /** Returns where the game places the portal. */
     public PlacementResult placed(Gun with, List<Portal> beside) {
-        return new Placement(wall.surfaces(), with).place("shot", aim, beside, MovingSurfaces.NONE);
+        return new Placement(wall.surfaces(), with).place("shot", aim, beside, Obstacles.NONE);
     }
 
     /** Returns the obstacles on the surface: the columns and the given portals. */

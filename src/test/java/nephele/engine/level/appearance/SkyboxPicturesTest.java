@@ -26,8 +26,7 @@ class SkyboxPicturesTest {
     /** A continuous sky has no step at any of the twelve edges; a mirrored or rotated face would make one. */
     @Test
     void theSkyOverTheBayIsContinuousAcrossAllEdges() {
-        SkyboxPictures sky = SkyboxPictures.of(
-                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
+        SkyboxPictures sky = SkyboxPictures.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
         for (int edge = 0; edge < 12; edge++) {
             double sum = 0;
             for (int i = 0; i < 100; i++) {
@@ -43,19 +42,16 @@ class SkyboxPicturesTest {
     void anotherNumberOfFilesIsRefused() {
         for (SkyboxLayout layout : SkyboxLayout.values()) {
             Sky.Skybox sky = new Sky.Skybox(layout, List.of());
-            assertThrows(
-                    IllegalArgumentException.class,
-                    () -> SkyboxPictures.of(sky, SkyboxPicturesTest::picture));
+            assertThrows(IllegalArgumentException.class, () -> SkyboxPictures.of(sky, SkyboxPicturesTest::picture));
         }
     }
 
     @Test
     void aCrossIsTheFacesUnfolded() {
-        SkyboxPictures faces = SkyboxPictures.of(
-                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
+        SkyboxPictures faces =
+                SkyboxPictures.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
         SkyboxPictures cross = SkyboxPictures.of(
-                new Sky.Skybox(SkyboxLayout.CROSS, List.of("textures/sky-bay-cross.png")),
-                SkyboxPicturesTest::picture);
+                new Sky.Skybox(SkyboxLayout.CROSS, List.of("textures/sky-bay-cross.png")), SkyboxPicturesTest::picture);
         double sum = 0;
         for (int i = 0; i < 500; i++) {
             double y = 1 - (i + 0.5) / 250;

@@ -16,6 +16,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -109,22 +110,22 @@ final class FloorDropTest {
                 List.of(wall), PlacedModels.NONE, List.of(new StaticShape.HeightGrid(0, said, field))));
         ShotRay aim = new ShotRay(new Vec3(0, 1.5, 5), Basis.WORLD);
         PlacementResult placed =
-                new Placement(surfaces, Walls.ARCH).with(AIDS).place("p", aim, List.of(), MovingSurfaces.NONE);
+                new Placement(surfaces, Walls.ARCH).with(AIDS).place("p", aim, List.of(), Obstacles.NONE);
         assertEquals(0.19, sill(Walls.fits(placed)), 0.012);
     }
 
     /** A body is a floor where nothing fixed is one, if it is level. */
     @Test
     void bodiesAreFloors() {
-        MovingSurfaces raft = (eye, way, limit) -> {
-            double down = (eye.y() - 0.1) / -way.y();
-            return way.y() < 0 && down <= limit ? down : Double.POSITIVE_INFINITY;
+        Obstacles raft = (from, path) -> {
+            double fraction = (from.y() - 0.1) / -path.y();
+            return path.y() < 0 && fraction <= 1 ? fraction : 1;
         };
         assertEquals(0.1, sill(wall().with(raft), 0, 1.6), 1e-6);
         assertEquals(0, sill(withFloor(wall().with(raft), 0), 0, 1.6), 1e-6);
-        MovingSurfaces steep = (eye, way, limit) -> {
-            double down = (eye.y() - 0.1 - 1.3 * eye.x()) / -way.y();
-            return way.y() < 0 && down <= limit ? down : Double.POSITIVE_INFINITY;
+        Obstacles steep = (from, path) -> {
+            double fraction = (from.y() - 0.1 - 1.3 * from.x()) / -path.y();
+            return path.y() < 0 && fraction <= 1 ? fraction : 1;
         };
         assertEquals(0.55, sill(wall().with(steep), 0, 1.6), 1e-6);
     }

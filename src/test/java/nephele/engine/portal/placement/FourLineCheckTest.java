@@ -9,6 +9,7 @@ import java.util.List;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -71,7 +72,7 @@ class FourLineCheckTest {
         assertEquals(1, surfaces.regions());
         Gun gun = Walls.gun(PortalShape.RECTANGLE, 1.2, 2.1);
         var aim = new ShotRay(new Vec3(2.55, 1.45, 5), nephele.engine.math.Basis.WORLD);
-        PlacementResult exact = new Placement(surfaces, gun).place("p", aim, List.of(), MovingSurfaces.NONE);
+        PlacementResult exact = new Placement(surfaces, gun).place("p", aim, List.of(), Obstacles.NONE);
         assertEquals(2.6, Walls.fits(exact).centre().x(), 1e-6);
     }
 }

@@ -21,6 +21,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.api.Test;
@@ -64,7 +65,7 @@ class GroundPlacementTest {
             double y = HeightFieldSurface.y(field, middle.x() + x, middle.z() + z);
             Basis view = Basis.ofYawPitch(Math.toRadians(yawDegrees), Math.toRadians(pitchDegrees));
             Vec3 eye = new Vec3(middle.x() + x, y, middle.z() + z).addScaled(3, view.back());
-            return placement().place("p", new ShotRay(eye, view), List.of(others), MovingSurfaces.NONE);
+            return placement().place("p", new ShotRay(eye, view), List.of(others), Obstacles.NONE);
         }
     }
 

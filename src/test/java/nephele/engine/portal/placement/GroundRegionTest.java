@@ -13,6 +13,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -37,7 +38,7 @@ class GroundRegionTest {
                 new StaticShapes(List.of(), PlacedModels.NONE, List.of(new StaticShape.HeightGrid(0, said, field)));
         Basis down = Basis.ofYawPitch(0, Math.toRadians(-89));
         ShotRay aim = new ShotRay(new Vec3(x, 5, z), down);
-        return new Placement(PlacementSurfaces.of(statics), GUN).place("p", aim, List.of(), MovingSurfaces.NONE);
+        return new Placement(PlacementSurfaces.of(statics), GUN).place("p", aim, List.of(), Obstacles.NONE);
     }
 
     @ParameterizedTest

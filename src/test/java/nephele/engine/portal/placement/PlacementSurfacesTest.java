@@ -16,6 +16,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Basis;
 import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.api.Test;
@@ -33,7 +34,7 @@ class PlacementSurfacesTest {
     private static PlacementResult answer(
             PlacementSurfaces surfaces, Vec3 eye, double yawDegrees, double pitchDegrees) {
         ShotRay aim = new ShotRay(eye, Basis.ofYawPitch(Math.toRadians(yawDegrees), Math.toRadians(pitchDegrees)));
-        return new Placement(surfaces, GUN).place("p", aim, List.of(), MovingSurfaces.NONE);
+        return new Placement(surfaces, GUN).place("p", aim, List.of(), Obstacles.NONE);
     }
 
     /** Returns a room of 10 × 3 × 8 m with its floor at y = 0. */
@@ -201,8 +202,8 @@ class PlacementSurfacesTest {
         for (int i = 0; i < 500; i++) {
             Basis view = Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5));
             ShotRay aim = new ShotRay(new Vec3(random.nextDouble(-4, 4), 1.65, random.nextDouble(-3, 3)), view);
-            PlacementResult fresh = new Placement(room, GUN).place("p", aim, List.of(), MovingSurfaces.NONE);
-            assertEquals(fresh, used.place("p", aim, List.of(), MovingSurfaces.NONE));
+            PlacementResult fresh = new Placement(room, GUN).place("p", aim, List.of(), Obstacles.NONE);
+            assertEquals(fresh, used.place("p", aim, List.of(), Obstacles.NONE));
         }
     }
 }

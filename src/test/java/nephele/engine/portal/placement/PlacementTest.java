@@ -7,6 +7,7 @@ import java.util.List;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
 import org.junit.jupiter.api.Test;
@@ -97,11 +98,11 @@ class PlacementTest {
         assertEquals(Refusal.OUT_OF_RANGE, Walls.refused(wall.shoot(near, 0, 2)));
         ShotRay aim = new ShotRay(new Vec3(0, 2, 5), Basis.WORLD);
         Placement placement = new Placement(wall.surfaces(), RECTANGLE);
-        MovingSurfaces box = (eye, direction, limit) -> 3;
+        Obstacles box = (from, path) -> 3 / path.length();
         PlacementResult.Refused moving = (PlacementResult.Refused) placement.place("p", aim, List.of(), box);
         assertEquals(Refusal.MOVING_SURFACE, moving.reason());
         assertEquals(new Vec3(0, 2, 2), moving.where());
-        MovingSurfaces behind = (eye, direction, limit) -> 5.5;
+        Obstacles behind = (from, path) -> 1;
         assertCentre(0, 2, placement.place("p", aim, List.of(), behind));
     }
 

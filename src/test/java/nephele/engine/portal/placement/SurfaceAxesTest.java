@@ -12,6 +12,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,7 +53,7 @@ final class SurfaceAxesTest {
         Vec3 eye = new Vec3(0, Math.copySign(0.5, -pitchDegrees), 0).addScaled(3, view.back());
         PlacementResult placed = new Placement(surfaces, Walls.ARCH)
                 .with(aids)
-                .place("p", new ShotRay(eye, view), List.of(), MovingSurfaces.NONE);
+                .place("p", new ShotRay(eye, view), List.of(), Obstacles.NONE);
         Portal portal = assertInstanceOf(PlacementResult.Fits.class, placed, placed.toString())
                 .portal();
         Vec3 up = portal.frame().up();

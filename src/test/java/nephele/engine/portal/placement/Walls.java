@@ -12,6 +12,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
 
@@ -23,7 +24,7 @@ final class Walls {
     private final List<SurfacePolygon> sheets = new ArrayList<>();
     private Vec3 shift = Vec3.ZERO;
     private ShotAids aids = ShotAids.NONE;
-    private MovingSurfaces moving = MovingSurfaces.NONE;
+    private Obstacles moving = Obstacles.NONE;
 
     static Gun gun(PortalShape shape, double width, double height) {
         return new Gun(Aperture.of(shape, width, height), 200, 0.75 / 2.1 * height);
@@ -59,7 +60,7 @@ final class Walls {
         return this;
     }
 
-    Walls with(MovingSurfaces bodies) {
+    Walls with(Obstacles bodies) {
         moving = bodies;
         return this;
     }

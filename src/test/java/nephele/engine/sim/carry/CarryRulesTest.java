@@ -73,7 +73,7 @@ final class CarryRulesTest {
         assertFalse(heavy.holding().isHolding());
         assertEquals(List.of(new Handled(Kind.TOO_HEAVY, 0)), heavy.events());
         Lab far = Lab.hall().cube(new Vec3(0, 1.65, -2.8), 0.5, 1).press(Action.CARRY);
-        assertEquals(List.of(new TickEvent.NothingInReach()), far.events());
+        assertEquals(List.of(TickEvent.Plain.NOTHING_IN_REACH), far.events());
         Lab near = Lab.hall().cube(new Vec3(0, 1.65, -2.7), 0.5, 1).press(Action.CARRY);
         assertTrue(near.holding().isHolding());
         Lab behindPane = Lab.hall()

@@ -2,6 +2,8 @@ package nephele.engine.sim.player;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
+import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerState;
@@ -16,7 +18,7 @@ class BodyPushesTest {
     private static final Vector3d AT_REST = new Vector3d();
 
     private static PlayerMotion standing() {
-        var player = new PlayerMotion();
+        var player = new PlayerMotion(new CharacterMover(new BodyObstacles(new BodyTable(List.of()))));
         player.load(PlayerState.standing(Vec3.ZERO, ViewAngles.ofDegrees(0, 0)));
         return player;
     }

@@ -2,8 +2,8 @@ package nephele.engine.level.appearance;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -92,20 +92,14 @@ public final class WeatherClouds {
     private Cloud humilis() {
         var noise = noise(between(1, 220, 300, 10), between(2, 0.16, 0.22, 0.01), 0.5, CloudProfile.CUMULUS, 0);
         return water(
-                "cumulus",
-                new Cloud.Extent.Layer(between(3, 1000, 1500, 50), between(4, 500, 800, 50)),
-                noise,
-                0.06);
+                "cumulus", new Cloud.Extent.Layer(between(3, 1000, 1500, 50), between(4, 500, 800, 50)), noise, 0.06);
     }
 
     /** Cumulus about as high as wide. */
     private Cloud mediocris() {
         var noise = noise(between(1, 340, 440, 10), between(2, 0.36, 0.46, 0.01), 0.5, CloudProfile.CUMULUS, 0);
         return water(
-                "cumulus",
-                new Cloud.Extent.Layer(between(3, 900, 1300, 50), between(4, 1000, 1500, 50)),
-                noise,
-                0.07);
+                "cumulus", new Cloud.Extent.Layer(between(3, 900, 1300, 50), between(4, 1000, 1500, 50)), noise, 0.07);
     }
 
     /** A broken low sheet. */
@@ -139,8 +133,8 @@ public final class WeatherClouds {
 
     /** Towers with anvils. */
     private Cloud cumulonimbus() {
-        var noise = noise(
-                between(1, 1200, 1500, 50), between(2, 0.88, 0.94, 0.01), 0.6, CloudProfile.CUMULONIMBUS, 0.8);
+        var noise =
+                noise(between(1, 1200, 1500, 50), between(2, 0.88, 0.94, 0.01), 0.6, CloudProfile.CUMULONIMBUS, 0.8);
         return water(
                 "cumulonimbus",
                 new Cloud.Extent.Layer(between(3, 600, 900, 50), between(4, 8500, 9800, 100)),

@@ -3,8 +3,8 @@ package nephele.engine.level.appearance;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.Weather;
 
 /**

@@ -4,4 +4,3 @@
  * prepares light with them, and the reference path tracer uses them.
  */
 package nephele.engine.level.appearance;
-

@@ -102,9 +102,7 @@ public record PlantedBillboards(List<Group> groups) {
         List<Group> groups = new ArrayList<>();
         var planting = new FieldPlanting(statics);
         for (Billboards said : level.billboards()) {
-            List<Vec3> feet = said.field() == null
-                    ? said.at()
-                    : planting.plant(said.field(), assets);
+            List<Vec3> feet = said.field() == null ? said.at() : planting.plant(said.field(), assets);
             groups.add(new Group(said, feet));
         }
         return new PlantedBillboards(groups);

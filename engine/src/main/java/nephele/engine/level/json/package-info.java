@@ -3,4 +3,3 @@
  * that reads and writes it, the schema that follows from the formats, and saving that never leaves a partial file.
  */
 package nephele.engine.level.json;
-

@@ -10,8 +10,4 @@ package nephele.engine.portal.placement;
  */
 public record ShotAids(double dropMetres, double leastFloorY, double turnRadians) {
     public static final ShotAids NONE = new ShotAids(0, 1, 0);
-
-    ShotAids withoutDrop() {
-        return new ShotAids(0, leastFloorY, turnRadians);
-    }
 }

@@ -2,18 +2,16 @@ package nephele.engine.sim.carry;
 
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyTable;
-import nephele.engine.math.Vec3;
 import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
-import nephele.engine.portal.placement.MovingSurfaces;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** The bodies as obstacles of a line of sight or a shot, including the parts of bodies that stick out of portals. */
-final class BodyObstruction implements Obstacles, MovingSurfaces {
+final class BodyObstruction implements Obstacles {
     static final int NOTHING = -1;
 
     private final BodyTable table;
@@ -74,12 +72,6 @@ final class BodyObstruction implements Obstacles, MovingSurfaces {
             }
         }
         return nearest;
-    }
-
-    @Override
-    public double distance(Vec3 eye, Vec3 direction, double limitMetres) {
-        double fraction = free(eye.toVector(), direction.toVector().mul(limitMetres));
-        return fraction < 1 ? fraction * limitMetres : Double.POSITIVE_INFINITY;
     }
 
     private void meetWhatSticksOutOf(int exit, Vector3dc from, Vector3dc path) {

@@ -79,15 +79,31 @@ public final class CarryRules {
     HeldBody reach(SimState state, PortalWorld space) {
         Portals portals = space.portals();
         bodies.at(state.world().bodies(), portals);
-        var sight = new LineOfSight(portals, (from, path) -> bodies.free(from, path, space.free(from, path)));
-        state.player().ahead(point).mul(REACH_METRES);
-        End end = sight.look(state.player(), point.add(state.player().eye(new Vector3d())));
-        if (end != End.BLOCKED || bodies.met() == BodyObstruction.NOTHING) {
+        PlayerState player = state.player();
+        player.ahead(point).mul(REACH_METRES).add(player.eye(new Vector3d()));
+        PathTrace toEye = player.pathToEye(portals);
+        Obstacles obstacles = (from, path) -> bodies.free(from, path, space.free(from, path));
+        PathTrace sight = lineOfSight(player, toEye, point, portals, obstacles);
+        if (sight.end() != End.BLOCKED || bodies.met() == BodyObstruction.NOTHING) {
             return HeldBody.NOTHING;
         }
-        CrossingWord word = sight.word();
+        CrossingWord word = sight.wordAfter(toEye.word());
         boolean sticksOut = bodies.through() != Portals.CLOSED;
         return new HeldBody(bodies.met(), sticksOut ? word.then(bodies.through(), portals) : word, 0);
+    }
+
+    /**
+     * Returns the line of sight from a player's eye, straight on through portals up to an obstacle.
+     *
+     * @param toEye the path from the player's centre to the eye
+     * @param towards the end of the line, in the space of the player's centre, as if there were no portals in between
+     */
+    private static PathTrace lineOfSight(
+            PlayerState player, PathTrace toEye, Vector3dc towards, Portals portals, Obstacles obstacles) {
+        Vector3d line = new Vector3d(towards).sub(player.eye(new Vector3d()));
+        var sight = new PathTrace(portals, obstacles);
+        sight.trace(toEye.place(), toEye.carryDirection(line));
+        return sight;
     }
 
     /**
@@ -120,12 +136,14 @@ public final class CarryRules {
      * solid.
      */
     private static boolean isInSight(HeldBody held, PlayerState player, Bodies now, PortalWorld space) {
-        if (!held.isOpen(space.portals())) {
+        Portals portals = space.portals();
+        if (!held.isOpen(portals)) {
             return false;
         }
-        Vector3dc there = held.pointHere(now.centre(held.body(), new Vector3d()), space.portals());
-        var sight = new LineOfSight(space.portals(), space::free);
-        return sight.look(player, there) == End.ARRIVED && sight.word().equals(held.word());
+        Vector3dc there = held.pointHere(now.centre(held.body(), new Vector3d()), portals);
+        PathTrace toEye = player.pathToEye(portals);
+        PathTrace sight = lineOfSight(player, toEye, there, portals, space::free);
+        return sight.end() == End.ARRIVED && sight.wordAfter(toEye.word()).equals(held.word());
     }
 
     /** Returns true if a dropped body still overlaps the player. */
@@ -160,9 +178,11 @@ public final class CarryRules {
         player.eye(eye);
         player.ahead(ahead);
         double metres = PlayerDimensions.RADIUS_METRES + GAP_METRES + reach;
-        var sight = new LineOfSight(space.portals(), space::free);
-        sight.look(player, target.set(eye).fma(metres + reach, ahead));
-        double free = Math.max(0, Math.min(metres, sight.freeMetres() - reach / 2));
+        target.set(eye).fma(metres + reach, ahead);
+        Portals portals = space.portals();
+        PathTrace sight = lineOfSight(player, player.pathToEye(portals), target, portals, space::free);
+        double freeMetres = target.sub(eye).length() * sight.freeFraction();
+        double free = Math.max(0, Math.min(metres, freeMetres - reach / 2));
         return target.set(eye).fma(free, ahead);
     }
 
@@ -200,52 +220,5 @@ public final class CarryRules {
         Vec3 own = state.player().velocity();
         state.player().ahead(ahead).mul(speed).add(own.x(), own.y(), own.z());
         return body.moving(Vec3.of(held.directionThere(ahead, portals)), body.spin());
-    }
-
-    /**
-     * A line of sight: from a player's centre to the eye, which may be beyond a portal, and from there straight on through
-     * portals up to an obstacle. One object for one set of portals, reused; the accessors refer to the last line.
-     */
-    private static final class LineOfSight {
-        private final Portals portals;
-        private final PathTrace body;
-        private final PathTrace view;
-        private final Vector3d centre = new Vector3d();
-        private final Vector3d toEye = new Vector3d();
-        private double metres;
-
-        LineOfSight(Portals portals, Obstacles obstacles) {
-            this.portals = portals;
-            body = new PathTrace(portals, Obstacles.NONE);
-            view = new PathTrace(portals, obstacles);
-        }
-
-        /**
-         * Traces a line.
-         *
-         * @param towards the end of the line, in the space of the player's centre, as if there were no portals in between
-         */
-        End look(PlayerState player, Vector3dc towards) {
-            player.centre(centre);
-            player.eye(toEye);
-            Vector3d line = new Vector3d(towards).sub(toEye);
-            body.trace(centre, toEye.sub(centre));
-            metres = line.length();
-            return view.trace(body.place(), body.carryDirection(line));
-        }
-
-        /** Returns the free length of the line from the eye. */
-        double freeMetres() {
-            return metres * view.freeFraction();
-        }
-
-        /** Returns the crossing word from the player's centre to the line's end. */
-        CrossingWord word() {
-            CrossingWord word = body.word();
-            for (int i = 0; i < view.crossings(); i++) {
-                word = word.then(view.entered(i), portals);
-            }
-            return word;
-        }
     }
 }

@@ -7,7 +7,6 @@ import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
-import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.PathTrace;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.PortalCrossing;
@@ -101,7 +100,7 @@ public final class PlayerActions {
     private SimState pickUp(SimState state, List<TickEvent> events) {
         HeldBody grasp = carry.reach(state, worlds.of(state.world().portals()));
         if (!grasp.isHolding()) {
-            events.add(new TickEvent.NothingInReach());
+            events.add(TickEvent.Plain.NOTHING_IN_REACH);
             return state;
         }
         boolean tooHeavy = level.bodies().massKilograms(grasp.body()) > HEAVIEST_KILOGRAMS;
@@ -188,10 +187,7 @@ public final class PlayerActions {
 
     /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
     private static ShotRay ray(PlayerState player, Portals portals) {
-        Vector3d centre = player.centre(new Vector3d());
-        Vector3d path = player.eye(new Vector3d()).sub(centre);
-        var toEye = new PathTrace(portals, Obstacles.NONE);
-        toEye.trace(centre, path);
+        PathTrace toEye = player.pathToEye(portals);
         Basis view = player.view();
         return new ShotRay(
                 Vec3.of(toEye.place()),

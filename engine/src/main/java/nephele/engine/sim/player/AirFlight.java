@@ -14,24 +14,22 @@ import org.joml.Vector3d;
 final class AirFlight {
     private final CharacterMover mover;
     private final GroundWalk walk;
-    private final PlayerPortalCrossing portalCrossing;
     private final Vector3d displacement = new Vector3d();
     private final Vector3d acceleration = new Vector3d();
 
-    AirFlight(CharacterMover mover, GroundWalk walk, PlayerPortalCrossing portalCrossing) {
+    AirFlight(CharacterMover mover, GroundWalk walk) {
         this.mover = mover;
         this.walk = walk;
-        this.portalCrossing = portalCrossing;
     }
 
     /** Flies for a tick. The arc is cut at each portal entry and continues from the exit with the remaining time. */
     void fly(PlayerMotion player, PlayerInput input, double seconds) {
         double left = seconds;
-        for (int i = 0; portalCrossing.hasPortals() && i <= 2 * PlayerPortalCrossing.MOST_HOPS; i++) {
+        for (int i = 0; player.hasPortals() && i <= 2 * PlayerMotion.MOST_HOPS; i++) {
             player.intend(input);
             accelerate(player, left);
-            double t = portalCrossing.timeToEntry(player, acceleration, left);
-            if (portalCrossing.hasDropped()) {
+            double t = player.timeToEntry(acceleration, left);
+            if (player.hasDroppedTime()) {
                 return;
             }
             if (t >= left) {
@@ -39,12 +37,12 @@ final class AirFlight {
             }
             boolean met = flyFor(player, t);
             if (met) {
-                portalCrossing.follow(player);
+                player.crossPortals();
             } else {
-                portalCrossing.enter(player);
+                player.enterFound();
             }
             left -= t;
-            if (player.grounded || portalCrossing.hasDropped()) {
+            if (player.grounded || player.hasDroppedTime()) {
                 return;
             }
         }
@@ -52,7 +50,7 @@ final class AirFlight {
         if (!flyFor(player, left)) {
             land(player, displacement.y);
         }
-        portalCrossing.follow(player);
+        player.crossPortals();
     }
 
     /**

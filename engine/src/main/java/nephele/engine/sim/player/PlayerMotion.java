@@ -4,7 +4,10 @@ import nephele.engine.collision.RoundedHull;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.PortalCrossing;
 import nephele.engine.portal.PortalTransform;
+import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.PlayerDimensions;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerInput;
@@ -14,14 +17,26 @@ import nephele.engine.sim.state.Tilt;
 import nephele.engine.sim.state.ViewAngles;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
-/** The mutable player during a tick. */
+/**
+ * The mutable player during a tick. Its centre crosses portals, which map the whole player to their other side. The
+ * working set of one simulation.
+ */
 final class PlayerMotion {
     /**
      * The greatest vertical fraction of a walker's speed that counts as rounding of a portal transform between level
      * portals.
      */
     private static final double LEVEL = 1e-9;
+
+    /**
+     * The greatest number of crossings in a tick. The rest of the tick is then dropped, gravity included; the velocity
+     * stays.
+     */
+    static final int MOST_HOPS = 8;
+
+    private static final Vector3dc NO_ACCELERATION = new Vector3d();
 
     /** The capsule's centre. */
     final Vector3d place = new Vector3d();
@@ -39,6 +54,21 @@ final class PlayerMotion {
     private RoundedHull shape;
     private double feetBefore;
     private double centreBefore;
+
+    private final CharacterMover mover;
+    private final PortalCrossing crossing = new PortalCrossing();
+    /** The centre's place up to which portals have been crossed. */
+    private final Vector3d tracked = new Vector3d();
+
+    private final Vector3d path = new Vector3d();
+    private Portals portals = Portals.NONE;
+    private CrossingWord crossed = CrossingWord.EMPTY;
+    private int hops;
+    private boolean dropped;
+
+    PlayerMotion(CharacterMover mover) {
+        this.mover = mover;
+    }
 
     void load(PlayerState s) {
         stance = s.stance();
@@ -122,8 +152,74 @@ final class PlayerMotion {
         look(heading, tilt);
     }
 
+    /** Starts to follow the centre through portals, from its present place. */
+    void track(Portals open) {
+        portals = open;
+        tracked.set(place);
+        crossed = CrossingWord.EMPTY;
+        hops = 0;
+        dropped = false;
+    }
+
+    /** Returns the crossing word of this tick. */
+    CrossingWord crossed() {
+        return crossed;
+    }
+
+    /** Returns true if the rest of the tick was dropped, after {@link #MOST_HOPS}. */
+    boolean hasDroppedTime() {
+        return dropped;
+    }
+
+    boolean hasPortals() {
+        return portals.size() > 0;
+    }
+
+    /** Returns the time at which the centre's arc first enters a portal; {@code seconds} if it enters none before. */
+    double timeToEntry(Vector3dc acceleration, double seconds) {
+        boolean enters = crossing.find(portals, place, velocity, acceleration, seconds);
+        if (enters && hops == MOST_HOPS) {
+            dropped = true;
+        }
+        return enters ? crossing.seconds() : seconds;
+    }
+
+    /** Moves the player through the portal found last, from the exact point of entry. */
+    void enterFound() {
+        place.set(crossing.place());
+        pass();
+        tracked.set(place);
+    }
+
+    /** Moves the player through every portal that the straight segment from its last tracked place enters. */
+    void crossPortals() {
+        if (!hasPortals()) {
+            return;
+        }
+        place.sub(tracked, path);
+        while (!dropped && crossing.find(portals, tracked, path, NO_ACCELERATION, 1)) {
+            if (hops == MOST_HOPS) {
+                place.set(tracked);
+                dropped = true;
+                return;
+            }
+            portals.transform(crossing.portal()).point(tracked.set(crossing.place()));
+            portals.transform(crossing.portal()).direction(path.mul(1 - crossing.seconds()));
+            pass();
+        }
+        tracked.set(place);
+    }
+
+    private void pass() {
+        int entered = crossing.portal();
+        map(portals.transform(entered));
+        crossed = crossed.then(entered, portals);
+        hops++;
+        mover.resetAfterPortal();
+    }
+
     /** Maps the player to the exit side of a portal. */
-    void enter(PortalTransform transform) {
+    private void map(PortalTransform transform) {
         transform.point(place);
         transform.direction(velocity);
         mapView(transform);

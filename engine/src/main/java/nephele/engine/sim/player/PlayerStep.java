@@ -76,7 +76,6 @@ public final class PlayerStep {
     private final ExponentialApproach eyeDamping;
     private final CharacterMover mover;
     private final GroundWalk walk;
-    private final PlayerPortalCrossing portalCrossing;
     private final AirFlight flight;
     /** {@code null} without the assist. */
     private final WalkIn walkIn;
@@ -86,7 +85,7 @@ public final class PlayerStep {
     private final Vector3d easing = new Vector3d();
     private final Vector3d axis = new Vector3d();
     private final Depenetration depenetration = new Depenetration();
-    private final PlayerMotion player = new PlayerMotion();
+    private final PlayerMotion player;
     private final Vector3d path = new Vector3d();
     private final Vector3d head = new Vector3d();
     private final Vector3d raised = new Vector3d();
@@ -95,9 +94,9 @@ public final class PlayerStep {
         double seconds = 1.0 / settings.ticksPerSecond();
         this.seconds = seconds;
         mover = new CharacterMover(new BodyObstacles(bodies));
+        player = new PlayerMotion(mover);
         walk = new GroundWalk(mover);
-        portalCrossing = new PlayerPortalCrossing(mover);
-        flight = new AirFlight(mover, walk, portalCrossing);
+        flight = new AirFlight(mover, walk);
         walkIn = settings.assists().contains(Assist.WALK_IN) ? new WalkIn() : null;
         groundDamping = ExponentialApproach.of(PlayerDimensions.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = ExponentialApproach.of(PlayerDimensions.EYE_RATE_PER_SECOND, seconds);
@@ -112,11 +111,11 @@ public final class PlayerStep {
         ViewAngles heading = before.heading().turned(input.turnLeftMillidegrees(), input.turnUpMillidegrees());
         load(before, heading, isEmpty);
         mover.enter(world, around.bodies(), around.holding().passing());
-        portalCrossing.begin(world.portals(), player.place);
+        player.track(world.portals());
         changeStance(input.holds(Action.CROUCH));
         if (recover()) {
             turnUpright();
-            portalCrossing.follow(player);
+            player.crossPortals();
             settle();
             if (around.arrival().isRecent()) {
                 ease(world.portals().portal(around.arrival().portal()), input);
@@ -130,7 +129,7 @@ public final class PlayerStep {
                 flight.fly(player, input, seconds);
             }
         }
-        portalCrossing.follow(player);
+        player.crossPortals();
         mover.pushes().settle(player, seconds);
         player.eye = eyeDamping.approach(player.eye, player.stance().eyeMetres());
         return player.store(input.holds(Action.JUMP));
@@ -143,12 +142,12 @@ public final class PlayerStep {
 
     /** Returns the crossing word of the last tick. */
     public CrossingWord crossed() {
-        return portalCrossing.word();
+        return player.crossed();
     }
 
     /** Returns true if the last tick had more crossings than allowed and ended at the last allowed one. */
     public boolean hasDroppedTime() {
-        return portalCrossing.hasDropped();
+        return player.hasDroppedTime();
     }
 
     private void load(PlayerState before, ViewAngles heading, boolean isEmpty) {

@@ -18,7 +18,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
-import nephele.engine.portal.Portal;
+import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.reach.EyeReach.Means;
@@ -53,10 +53,10 @@ final class ReachFlood {
     private final byte[] free;
 
     private Means means = Means.WALKING;
-    private List<Passage> passages = List.of();
+    /** The portals that an eye passes, and a point before each. */
+    private Portals portals = Portals.NONE;
 
-    /** A passage through a portal from the space before one end to that before the other. */
-    private record Passage(Vec3 from, Vec3 to, double radiusMetres) {}
+    private List<Vec3> mouths = List.of();
 
     private ReachFlood(StaticShapes statics, Aabb domain) {
         this.domain = domain;
@@ -77,10 +77,10 @@ final class ReachFlood {
         var flood = new ReachFlood(statics, domain);
         flood.start(eye);
         if (portals.size() > 0) {
-            flood.open(Means.PORTALS, passages(portals));
+            flood.open(portals);
         }
         if (level.portalGun() != null) {
-            flood.open(Means.SHOTS, shots(statics, flood.grid.cellMetres()));
+            flood.shootTo(shots(statics));
         }
         List<EyeReach.Part> parts = flood.grid.parts();
         parts.addAll(flood.outside(solids.isEmpty() ? domain : solids.union(domain)));
@@ -116,26 +116,8 @@ final class ReachFlood {
                 Math.min(a.maxZ(), b.maxZ()));
     }
 
-    private static List<Passage> passages(Portals portals) {
-        List<Passage> passages = new ArrayList<>();
-        for (int i = 0; i < portals.size(); i++) {
-            if (portals.isOpen(i)) {
-                Portal from = portals.portal(i);
-                Portal to = portals.portal(portals.partner(i));
-                double radius =
-                        Math.max(from.aperture().widthMetres(), from.aperture().heightMetres()) / 2;
-                passages.add(new Passage(before(from), before(to), radius));
-            }
-        }
-        return passages;
-    }
-
-    private static Vec3 before(Portal portal) {
-        return portal.world(0, 0, CLEAR_METRES);
-    }
-
-    /** Returns passages from any portalable face to any other: through one place from which each of them can be reached. */
-    private static List<Passage> shots(StaticShapes statics, double cellMetres) {
+    /** Returns a place before each portalable face: a shot portal leads there from any other. */
+    private static List<Vec3> shots(StaticShapes statics) {
         List<Vec3> places = new ArrayList<>();
         for (Brush solid : statics.solids()) {
             for (int i = 0; i < solid.faces().size(); i++) {
@@ -150,11 +132,7 @@ final class ReachFlood {
                 addPlaces(grid.field(), places);
             }
         }
-        List<Passage> passages = new ArrayList<>();
-        for (Vec3 to : places) {
-            passages.add(new Passage(null, to, cellMetres));
-        }
-        return passages;
+        return places;
     }
 
     /** Adds places over a terrain, as if it were flat everywhere. */
@@ -184,22 +162,27 @@ final class ReachFlood {
         run();
     }
 
-    /** Opens passages and continues from every cell that is reached. */
-    private void open(Means by, List<Passage> paths) {
-        means = by;
-        if (by == Means.SHOTS) {
-            double head = greatestHead();
-            for (Passage path : paths) {
-                enter(path.to(), Math.max(head, path.to().y() + JUMP_METRES));
-            }
-            run();
-            return;
-        }
-        passages = paths;
+    /** Opens the portals and continues from every cell that is reached. */
+    private void open(Portals through) {
+        means = Means.PORTALS;
+        portals = through;
+        mouths = through.all().stream()
+                .map(portal -> portal.world(0, 0, CLEAR_METRES))
+                .toList();
         for (int cell = 0; cell < grid.cells(); cell++) {
             if (grid.isReached(cell)) {
                 grid.enqueue(cell);
             }
+        }
+        run();
+    }
+
+    /** Continues from places to which shot portals lead, with all the energy that any cell has. */
+    private void shootTo(List<Vec3> places) {
+        means = Means.SHOTS;
+        double head = greatestHead();
+        for (Vec3 place : places) {
+            enter(place, Math.max(head, place.y() + JUMP_METRES));
         }
         run();
     }
@@ -250,8 +233,10 @@ final class ReachFlood {
                     raise(next, head);
                 }
             }
-            for (Passage path : passages) {
-                pass(path, at, head);
+            for (int portal = 0; portal < portals.size(); portal++) {
+                if (portals.isOpen(portal)) {
+                    pass(portal, at, head);
+                }
             }
         }
     }
@@ -260,10 +245,14 @@ final class ReachFlood {
         return !grid.isReached(cell) || head > grid.head(cell) + LEAST_GAIN_METRES;
     }
 
-    private void pass(Passage path, Vec3 at, double head) {
-        double nearMetres = path.radiusMetres() + grid.cellMetres();
-        if (at.minus(path.from()).length() <= nearMetres && isFree(at, path.from())) {
-            enter(path.to(), head - path.from().y() + path.to().y());
+    /** Passes through a portal from the space before it to that before its partner, if it is near. */
+    private void pass(int portal, Vec3 at, double head) {
+        Aperture aperture = portals.portal(portal).aperture();
+        double nearMetres = Math.max(aperture.widthMetres(), aperture.heightMetres()) / 2 + grid.cellMetres();
+        Vec3 from = mouths.get(portal);
+        if (at.minus(from).length() <= nearMetres && isFree(at, from)) {
+            Vec3 to = mouths.get(portals.partner(portal));
+            enter(to, head - from.y() + to.y());
         }
     }
 

@@ -3,6 +3,9 @@ package nephele.engine.sim.state;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.Portals;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import org.joml.Vector3d;
 
@@ -78,6 +81,14 @@ public record PlayerState(
         double above = eyeMetres - stance.centreAboveFeet();
         Vec3 up = tilt.up();
         return centre.addScaled(above, up);
+    }
+
+    /** Returns the path from the body's centre to the eye, which may be beyond a portal. */
+    public PathTrace pathToEye(Portals portals) {
+        var path = new PathTrace(portals, Obstacles.NONE);
+        Vector3d centre = centre(new Vector3d());
+        path.trace(centre, eye(new Vector3d()).sub(centre));
+        return path;
     }
 
     /** Sets {@code out} to the body's centre and returns it. */

@@ -68,27 +68,24 @@ public sealed interface TickEvent {
         }
     }
 
-    /** The player fell below everything solid, with the assist that puts it back: the picture turns black. */
-    record PlayerFell() implements TickEvent {
-        @Override
-        public long hash(long seed) {
-            return Hash64.combine(seed, 7);
-        }
-    }
+    /** An event without further data. */
+    enum Plain implements TickEvent {
+        /** The player tried to pick up a body and none was in reach. */
+        NOTHING_IN_REACH(4),
+        /** The player fell below everything solid, with the assist that puts it back: the picture turns black. */
+        PLAYER_FELL(7),
+        /** The player that had fallen is back where it last stood: the picture comes back. */
+        PLAYER_RETURNED(8);
 
-    /** The player that had fallen is back where it last stood: the picture comes back. */
-    record PlayerReturned() implements TickEvent {
-        @Override
-        public long hash(long seed) {
-            return Hash64.combine(seed, 8);
-        }
-    }
+        private final int code;
 
-    /** The player tried to pick up a body and none was in reach. */
-    record NothingInReach() implements TickEvent {
+        Plain(int code) {
+            this.code = code;
+        }
+
         @Override
         public long hash(long seed) {
-            return Hash64.combine(seed, 4);
+            return Hash64.combine(seed, code);
         }
     }
 }

@@ -262,10 +262,7 @@ final class EditorScenes {
             try (var finder = new SessionJournal(
                     next, new JournalFolder(folder.resolve("journal"), Clock.systemUTC()), words -> {})) {
                 var works = new RecoveryList(finder, finder.lost(), Instant.now(), ZoneOffset.UTC);
-                return new RecoveryPanel(
-                        works,
-                        editor.look().language(),
-                        new RecoveryPanel.Answers(question -> true, () -> true, () -> {}));
+                return new RecoveryPanel(works, editor.look().language(), question -> true, () -> true, () -> {});
             }
         } finally {
             TemporaryFolder.delete(folder);
@@ -291,7 +288,9 @@ final class EditorScenes {
         return new BackupsPanel(
                 new BackupList(opened, Instant.now(), ZoneOffset.UTC),
                 editor.look().language(),
-                new BackupsPanel.Answers(() -> true, words -> {}, () -> {}));
+                () -> true,
+                words -> {},
+                () -> {});
     }
 
     private static JComponent explanation(PicturedEditor editor) {

@@ -7,8 +7,8 @@ import nephele.engine.level.PortalShape;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.placement.Gun;
-import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.PlacementResult.Refusal;
@@ -125,7 +125,7 @@ public final class RetriangulationProof implements Proof {
             Vec3 target = place.world(x, y, 0);
             Vec3 way = Directions.unit(target.minus(eye));
             return new Placement(surfaces, new Gun(aperture, 100, 0.75))
-                    .place("p", new ShotRay(eye, WallPlace.looking(way, 0)), List.of(), MovingSurfaces.NONE);
+                    .place("p", new ShotRay(eye, WallPlace.looking(way, 0)), List.of(), Obstacles.NONE);
         }
     }
 

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 import org.lwjgl.system.MemoryStack;
@@ -48,11 +49,8 @@ public final class Uniforms {
     /** The record of a program that has no uniforms but samplers and blocks. */
     public record None() {}
 
-    private interface Made {
-        Object at(int program, int location);
-    }
-
-    private record Kind(int glType, Made made) {}
+    /** @param make makes a uniform of a program from its location */
+    private record Kind(int glType, BiFunction<Integer, Integer, Object> make) {}
 
     public Uniforms(int program, String programName) {
         this.program = program;
@@ -204,7 +202,7 @@ public final class Uniforms {
         if (location >= 0 && found != kind.glType) {
             throw new GlException(programName + " has uniform '" + name + "' with another type than its record");
         }
-        return kind.made.at(program, location);
+        return kind.make.apply(program, location);
     }
 
     private static boolean isSampler(int glType) {

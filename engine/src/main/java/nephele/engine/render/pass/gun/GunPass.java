@@ -93,7 +93,7 @@ public final class GunPass implements Pass {
                 "gun",
                 () -> new GpuMesh(
                         gl, "gun", FORMAT, model.mesh().vertices(), model.mesh().indices()));
-        programs = new GunPrograms(context, materials.materialsPerBlock());
+        programs = new GunPrograms(context, materials);
         sky = context.get(AmbientLight.PROBES);
     }
 

@@ -7,9 +7,9 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.scene.GunInHand;
 import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.SolidBatch;
@@ -51,13 +51,13 @@ final class GunPrograms {
     private final GlProgram<Drawn> depth;
     private final GlProgram<Lit> lit;
 
-    GunPrograms(LoadContext context, int materialsPerBlock) {
+    GunPrograms(LoadContext context, MaterialBlocks materials) {
         var onlyDepth = Defines.of(context).with("ONLY_DEPTH").values();
         depth = GlProgram.of(context.gl(), FOLDER + "gun.vert", FOLDER + "depth.frag", onlyDepth, Drawn.class);
         MeteredExposure.readInViews(context);
         SurfaceLight light = context.get(SurfaceLight.RESOURCE);
-        SurfaceVariant surface = SurfaceVariant.of(KIND, context.quality());
-        var defines = surface.addTo(light.addForGun(Defines.of(context)), materialsPerBlock)
+        var defines = materials
+                .addTo(light.addForGun(Defines.of(context)), KIND, context.quality())
                 .with("FIRST_LAMP", GunMesh.FIRST_LAMP)
                 .values();
         lit = GlProgram.of(context.gl(), FOLDER + "gun.vert", FOLDER + "gun.frag", defines, Lit.class);

@@ -130,7 +130,7 @@ final class DepthDraw {
             uniforms.clipFromOrigin().set(clipFromOrigin.get(new float[16]));
             uniforms.place().set(field, origin.x(), origin.y(), origin.z());
             mesh.bind();
-            mesh.draw(seen, (column, row) -> uniforms.place().chunk(field, column, row));
+            mesh.draw(seen, uniforms.place());
         }
     }
 }

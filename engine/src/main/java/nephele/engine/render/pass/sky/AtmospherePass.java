@@ -80,14 +80,14 @@ public final class AtmospherePass implements Pass {
     public void draw(FrameContext frame) {
         double height = frame.view().eye().y();
         follow(frame.frameState().environment());
-        SunAndMoonTables shown = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
-        shown.show(lights);
+        SunAndMoonTables near = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
+        near.show(lights);
         SkyProgram program = program();
-        program.sun(lights, tables.air(), new SkyProgram.Heights(shown.heightMetres(), height));
+        program.sun(lights, tables.air(), near.heightMetres(), height);
         if (program == night) {
             program.heavens(lights);
         }
-        shown.bind(TextureUnit.COLOURS);
+        near.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());
     }
 
