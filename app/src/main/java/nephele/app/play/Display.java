@@ -8,11 +8,11 @@ import nephele.app.settings.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
 import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.FrameState;
@@ -35,7 +35,7 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
-    private static final OverlayColour BLACK = OverlayColour.opaque(0);
+    private static final DisplayColour BLACK = DisplayColour.opaque(0);
 
     /** Frames of the first view that only compile programs. */
     private static final int FIRST_VIEW_WARM_UP = 2;
@@ -45,11 +45,11 @@ final class Display implements AutoCloseable {
 
     private final GameWindow window;
     private final GlContext gl;
-    private final Lettering lettering = new Lettering();
+    private final FontAtlas letters = new FontAtlas();
     private final OverlayPass overlay;
     private final BoundOutlines outlines;
-    private final Hud hud = new Hud(lettering);
-    private final OverlayCanvas veil = new OverlayCanvas(lettering);
+    private final Hud hud = new Hud(letters);
+    private final OverlayCanvas veil = new OverlayCanvas(letters);
     private final Screenshots screenshots;
     private final Message message;
     private final FrameCost cost;
@@ -65,7 +65,7 @@ final class Display implements AutoCloseable {
         this.gl = gl;
         this.screenshots = screenshots;
         this.message = message;
-        overlay = new OverlayPass(gl, lettering);
+        overlay = new OverlayPass(gl, letters);
         outlines = new BoundOutlines(gl);
         cost = new FrameCost(gl);
         title = new TitlePicture(gl);

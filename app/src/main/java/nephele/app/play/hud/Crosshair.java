@@ -1,7 +1,7 @@
 package nephele.app.play.hud;
 
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
 import nephele.host.playthrough.CrosshairState.Portal;
@@ -57,14 +57,14 @@ final class Crosshair {
                 y,
                 crosshair.first(),
                 new Face(
-                        "\ue000", "\ue002", OverlayColour.opaque(sight.palette().overlay(0))));
+                        "\ue000", "\ue002", DisplayColour.opaque(sight.palette().overlay(0))));
         half(
                 canvas,
                 x + APART,
                 y,
                 crosshair.second(),
                 new Face(
-                        "\ue001", "\ue003", OverlayColour.opaque(sight.palette().overlay(1))));
+                        "\ue001", "\ue003", DisplayColour.opaque(sight.palette().overlay(1))));
         if (crosshair.first().shot() == Shot.REFUSED) {
             cross(canvas, x - APART - RADIUS - CROSS_GAP - CROSS_WIDTH, y);
         }
@@ -74,12 +74,12 @@ final class Crosshair {
     }
 
     /** The glyphs of a half ring. */
-    private record Face(String hollow, String filled, OverlayColour colour) {}
+    private record Face(String hollow, String filled, DisplayColour colour) {}
 
     private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {
         String letter = half.portal() == Portal.MADE ? face.filled : face.hollow;
         boolean opens = half.shot() == Shot.OPENS;
-        OverlayColour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
+        DisplayColour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
         edged(canvas, left, y + RISE, EM, colour, letter);
     }
 
@@ -88,7 +88,7 @@ final class Crosshair {
     }
 
     private static void edged(
-            OverlayCanvas canvas, double x, double baseline, double em, OverlayColour colour, String letter) {
+            OverlayCanvas canvas, double x, double baseline, double em, DisplayColour colour, String letter) {
         canvas.text(x - EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x + EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x, baseline - EDGE, em, HudPalette.SHADOW, letter);

@@ -8,7 +8,6 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -79,7 +78,7 @@ public final class EdgeExperiment implements Experiment {
         Drawn test = drawn(pictures.shot(setting), 1);
         ErrorMap flip = Flip.ofDisplayed(wanted.still(), test.still());
         List<Double> figures = List.of(
-                Shimmer.of(wanted.path(), test.path()),
+                ImageError.shimmer(wanted.path(), test.path()),
                 ImageError.rootMeanSquare(wanted.still(), test.still(), nearEdges),
                 flip.quantile(0.99));
         return new Judgement(flip.mean(), figures, shown(test.still()), flip);

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Billboards.Facing;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
@@ -87,8 +87,8 @@ final class PlantExperiment implements Experiment {
         Judgement still = pictures.judge(setting);
         Filmed test = filmed(pictures.shot(setting), 1);
         List<Double> figures = new ArrayList<>(still.figures());
-        figures.add(Shimmer.of(reference().turning(), test.turning()));
-        figures.add(Shimmer.of(reference().moving(), test.moving()));
+        figures.add(ImageError.shimmer(reference().turning(), test.turning()));
+        figures.add(ImageError.shimmer(reference().moving(), test.moving()));
         return new Judgement(still.error(), List.copyOf(figures), still.shown(), still.map());
     }
 

@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Overshoot;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -110,7 +109,7 @@ final class UpscaleExperiment implements Experiment {
                 return new Drawn(
                         picture,
                         Flip.ofDisplayed(whole, picture),
-                        Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1)));
+                        ImageError.shimmer(exactPath, path.displayed(site.gl(), renderer, 1)));
             }
         }
 
@@ -129,7 +128,8 @@ final class UpscaleExperiment implements Experiment {
                 int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
                 System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
             }
-            return Overshoot.codes(enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
+            return ImageError.overshoot(
+                    enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
         }
 
         private byte[] stored(Shot shot, int width, int height) {
