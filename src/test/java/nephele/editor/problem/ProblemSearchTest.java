@@ -255,7 +255,6 @@ class ProblemSearchTest {
         assertTrue(LevelProblem.isHidden(hidden, problems(hidden).get(0)));
         assertSame(hidden, LevelProblem.hide(hidden, problem));
         assertFalse(LevelProblem.isHidden(level, problem));
-        assertEquals(level, LevelProblem.show(hidden, problem));
     }
 
     @Test

@@ -150,7 +150,11 @@ class PlacementHeatMapTest {
     @Test
     void reasonsAreInThreeLanguages() {
         HeatCell cell = nearest(cells(coarse(placed(hall()), null)), new Vec3(8, 0.75, 0));
-        assertEquals("A portal slides 0.30 m to fit", cell.reason().english());
-        assertEquals("Um portal desliza 0,30 m para caber", cell.reason().brazilian());
+        assertEquals(
+                "A portal slides 0.30 m to fit",
+                cell.text().words(cell.metres()).english());
+        assertEquals(
+                "Um portal desliza 0,30 m para caber",
+                cell.text().words(cell.metres()).brazilian());
     }
 }

@@ -121,7 +121,7 @@ class EditorPanelSwingTest {
                 "brush", "extrude", "vertex", "edge", "clip", "rotate", "scale", "paint", "portal", "place", "measure",
                 "light", "camera", "texture", "strange")) {
             Words title = Words.same(id);
-            tools.add(new ToolEntry(id, title, title, "", id, select.make()));
+            tools.add(new ToolEntry(id, title, title, "", select.make()));
         }
         return tools.stream();
     }

@@ -108,9 +108,9 @@ public final class ProvingActions {
     /** Returns true for an action whose effect is shown now, such as the heat map. */
     public static boolean isOn(EditorSession session, String action) {
         Proving proving = session.proving();
-        return action.equals("heat") && proving.heat().isShown()
-                || action.equals("path-trace") && proving.corner().isShown()
-                || action.equals("compare-techniques") && proving.techniques().isShown()
+        return action.equals("heat") && proving.heat().isVisible()
+                || action.equals("path-trace") && proving.corner().isVisible()
+                || action.equals("compare-techniques") && proving.techniques().isVisible()
                 || action.equals("trade") && proving.trade().isRunning();
     }
 
@@ -128,7 +128,7 @@ public final class ProvingActions {
 
     /** A script fails at the first error of the level. */
     private static void check(ActionCall call) throws EditorRefusal {
-        List<LevelProblem> problems = call.session().proving().problems().shown();
+        List<LevelProblem> problems = call.session().proving().problems().listed();
         Words words = problems.isEmpty()
                 ? ProvingText.NO_PROBLEMS.words()
                 : ProvingText.PROBLEMS.with(
@@ -161,12 +161,12 @@ public final class ProvingActions {
 
     private static void heat(ActionCall call) throws EditorRefusal {
         var heat = call.session().proving().heat();
-        heat.show(shown(call, heat.isShown()));
+        heat.show(shown(call, heat.isVisible()));
     }
 
     private static void pathTrace(ActionCall call) throws EditorRefusal {
         var corner = call.session().proving().corner();
-        boolean shown = shown(call, corner.isShown());
+        boolean shown = shown(call, corner.isVisible());
         if (call.text("spp").isPresent()) {
             corner.show(shown, call.whole("spp", 1, MOST_SAMPLES, 1));
         } else {
@@ -184,7 +184,7 @@ public final class ProvingActions {
         boolean isAsked = call.text("a").isPresent()
                 || call.text("b").isPresent()
                 || call.text("wipe").isPresent();
-        boolean shows = call.flag("show", isAsked || !comparison.isShown());
+        boolean shows = call.flag("show", isAsked || !comparison.isVisible());
         if (!shows) {
             comparison.hide();
             return;

@@ -94,10 +94,10 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         boolean hasCloud = comparison.cloud().isPresent();
         setVisible(hasCloud);
         if (hasCloud) {
-            toggle.setSelected(comparison.isShown());
-            toggle.setIcon(comparison.isShown() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT);
+            toggle.setSelected(comparison.isVisible());
+            toggle.setIcon(comparison.isVisible() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT);
             toggle.setText(text(PanelText.COMPARE_TECHNIQUES.words()));
-            body.setVisible(comparison.isShown());
+            body.setVisible(comparison.isVisible());
             name(left, PanelText.LEFT_TECHNIQUE);
             name(right, PanelText.RIGHT_TECHNIQUE);
             name(picture, PanelText.WIPE);

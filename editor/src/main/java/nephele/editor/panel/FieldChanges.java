@@ -2,6 +2,7 @@ package nephele.editor.panel;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.panel.model.FieldType;
@@ -27,10 +28,10 @@ final class FieldChanges {
 
     private final EditorSession session;
     private final InspectorModel model = new InspectorModel(LevelStructure.LEVEL);
-    private final java.util.function.Consumer<Words> report;
+    private final Consumer<Words> report;
 
     /** @param report receives what is wrong with a value, or {@link Words#NONE} */
-    FieldChanges(EditorSession session, java.util.function.Consumer<Words> report) {
+    FieldChanges(EditorSession session, Consumer<Words> report) {
         this.session = session;
         this.report = report;
     }

@@ -35,16 +35,16 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private static final int DELAY_MILLIS = 300;
     /** Searches the problems of a level on another thread, one search at a time; a new one cancels the one before. */
     private static final class ProblemWork {
-        private final Consumer<List<LevelProblem>> shown;
+        private final Consumer<List<LevelProblem>> found;
         private AssetSource assets;
         private ProblemSearch search;
         private Level searched;
         private SwingWorker<Optional<List<LevelProblem>>, Void> running;
 
-        /** @param shown receives what was found, on the event dispatch thread */
-        ProblemWork(AssetSource assets, Consumer<List<LevelProblem>> shown) {
+        /** @param found receives what was found, on the event dispatch thread */
+        ProblemWork(AssetSource assets, Consumer<List<LevelProblem>> found) {
             this.assets = assets;
-            this.shown = shown;
+            this.found = found;
             search = new ProblemSearch(assets);
         }
 
@@ -76,7 +76,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
                 protected void done() {
                     try {
                         if (!isCancelled()) {
-                            get().ifPresent(shown);
+                            get().ifPresent(found);
                         }
                     } catch (CancellationException | InterruptedException cancelled) {
                         // The next search tells the result.

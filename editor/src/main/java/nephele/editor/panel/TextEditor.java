@@ -44,7 +44,7 @@ final class TextEditor {
                             .with(field.words().in(changes.language()))
                             .in(changes.language()));
             choose.addActionListener(
-                    event -> chooser.choose(this.field, entry.shown()).ifPresent(id -> changes.set(this.field, id)));
+                    event -> chooser.choose(this.field, entry.given()).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
         } else {
             choose = null;
@@ -63,7 +63,7 @@ final class TextEditor {
 
     private void showPicture() {
         if (choose != null) {
-            Optional<Icon> picture = chooser.picture(entry.shown());
+            Optional<Icon> picture = chooser.picture(entry.given());
             choose.setIcon(picture.orElse(null));
             choose.setText(picture.isPresent() ? "" : "…");
         }

@@ -59,7 +59,7 @@ final class VectorEditor {
     private void choose() {
         Vec3 before = field.value() instanceof Vec3 value ? value : new Vec3(1, 1, 1);
         Color chosen =
-                JColorChooser.showDialog(panel, field.words().in(changes.language()), LinearColour.shown(before));
+                JColorChooser.showDialog(panel, field.words().in(changes.language()), LinearColour.onScreen(before));
         if (chosen != null) {
             // A light is brighter than a screen: the choice keeps its strength.
             double strength = Math.max(1, LinearColour.greatest(before));
@@ -82,6 +82,6 @@ final class VectorEditor {
             inputs.get(axis)
                     .show(values.size() == 1 ? values.iterator().next() : null, FieldEditor.placeholder(next, changes));
         }
-        swatch.setIcon(next.value() instanceof Vec3 colour ? PanelIcon.swatch(LinearColour.shown(colour)) : null);
+        swatch.setIcon(next.value() instanceof Vec3 colour ? PanelIcon.swatch(LinearColour.onScreen(colour)) : null);
     }
 }

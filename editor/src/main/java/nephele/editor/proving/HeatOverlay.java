@@ -17,7 +17,7 @@ public final class HeatOverlay {
     private static final long PROGRESS_NANOS = 200_000_000;
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private boolean isVisible;
     private Level computedOf;
     private AssetSource computedWith;
     private HeatMap memory;
@@ -39,14 +39,14 @@ public final class HeatOverlay {
         threads = other;
     }
 
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Shows the map or takes it away. */
-    public void show(boolean shown) {
-        isShown = shown;
-        if (isShown) {
+    public void show(boolean visible) {
+        isVisible = visible;
+        if (isVisible) {
             follow();
         } else {
             running = running + 1;
@@ -58,7 +58,7 @@ public final class HeatOverlay {
     /** Computes the map again if the level has changed; waits for the end of a drag. */
     void follow() {
         boolean isSame = subject.level() == computedOf && subject.assets() == computedWith;
-        if (!isShown || isSame || !subject.isSettled()) {
+        if (!isVisible || isSame || !subject.isSettled()) {
             return;
         }
         int run = running + 1;
@@ -135,11 +135,11 @@ public final class HeatOverlay {
 
     /** Returns the marks for perspective panes: the same list until the map changes. */
     public List<Mark> marks() {
-        return isShown ? marks : List.of();
+        return isVisible ? marks : List.of();
     }
 
     void pointed(Vec3 place) {
-        if (!isShown || memory == null) {
+        if (!isVisible || memory == null) {
             return;
         }
         HeatCell cell = memory.at(place);

@@ -21,7 +21,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 
 /**
  * What a pixel of the perspective pane shows, and why: the surface at the end of its sight, the light that the reference
@@ -52,7 +52,7 @@ public record PixelExplanation(List<String> lines) {
             addLight(lines, language, exposed.level(), traced, eye, pixel);
             lines.add("");
             lines.add(ProvingText.PASSES.in(language));
-            FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level)))
+            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
                     .explain()
                     .forEach(line -> lines.add("  " + line));
         } catch (AssetException | IllegalArgumentException unusable) {
@@ -112,7 +112,7 @@ public record PixelExplanation(List<String> lines) {
             List<String> lines, Language language, Level level, TracedLevel traced, PaneEye eye, PaneEye.Pixel pixel) {
         float[] radiance = ReferencePicture.trace(
                 traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), fraction -> {});
-        Picture shown = TracedCorner.TraceProgress.picture(radiance, 1, level);
+        Picture displayed = TracedCorner.TraceProgress.picture(radiance, 1, level);
         lines.add(ProvingText.LIGHT
                 .with(
                         number(radiance[0]) + " " + number(radiance[1]) + " " + number(radiance[2]),
@@ -120,9 +120,9 @@ public record PixelExplanation(List<String> lines) {
                         String.format(
                                 Locale.ROOT,
                                 "#%02x%02x%02x",
-                                shown.sample(0, 0, 0),
-                                shown.sample(0, 0, 1),
-                                shown.sample(0, 0, 2)))
+                                displayed.sample(0, 0, 0),
+                                displayed.sample(0, 0, 1),
+                                displayed.sample(0, 0, 2)))
                 .in(language));
     }
 

@@ -35,7 +35,7 @@ public final class PlacementHeatMap {
     private static final double LIFT_METRES = 5e-3;
 
     /** Slide up to which a portal is where it was aimed. */
-    private static final double AIMED_METRES = 1e-6;
+    public static final double AIMED_METRES = 1e-6;
 
     /** What the engine tolerates beside the portal itself. */
     private static final double REACH_METRES = 0.25;
@@ -43,7 +43,9 @@ public final class PlacementHeatMap {
     /** The greatest number of doublings of the cells' size; the remaining excess is left out. */
     private static final int MOST_DOUBLINGS = 20;
 
-    private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+    /** The gun of a level that has none. */
+    public static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+
     private static final double SPACING_METRES = 0.25;
     private static final int MOST_CELLS = 40_000;
 

@@ -105,11 +105,6 @@ public final class Proving {
         });
     }
 
-    /** Returns the place that was under the pointer last; empty if there was none. */
-    public Optional<Vec3> pointed() {
-        return Optional.ofNullable(pointed);
-    }
-
     /**
      * Explains the pixel of the perspective pane under the pointer, or else its middle.
      *

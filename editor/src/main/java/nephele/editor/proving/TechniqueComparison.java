@@ -23,7 +23,7 @@ public final class TechniqueComparison {
     private final ProvingSubject subject;
     private final AtomicLong asked = new AtomicLong();
     private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private boolean isVisible;
     private TechniquePair techniques;
     /** The written technique of the cloud that was followed last. */
     private CloudTechnique written;
@@ -31,7 +31,7 @@ public final class TechniqueComparison {
     private Wipe wipe = Wipe.MIDDLE;
     private ComparedCloud wanted;
     private ComparedPictures pictures;
-    private long shown;
+    private long received;
     private ComparisonThread thread;
 
     TechniqueComparison(ProvingSubject subject) {
@@ -42,8 +42,8 @@ public final class TechniqueComparison {
         threads = other;
     }
 
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Returns the cloud that is selected alone; empty for any other selection. */
@@ -58,7 +58,7 @@ public final class TechniqueComparison {
 
     /** Begins to draw the selected cloud. */
     public void show() {
-        isShown = true;
+        isVisible = true;
         wanted = null;
         follow();
         subject.redraw();
@@ -66,7 +66,7 @@ public final class TechniqueComparison {
 
     /** Ends it, and gives back what it takes. */
     public void hide() {
-        isShown = false;
+        isVisible = false;
         wanted = null;
         pictures = null;
         asked.incrementAndGet();
@@ -123,7 +123,7 @@ public final class TechniqueComparison {
     }
 
     void follow() {
-        Cloud cloud = isShown ? cloud().orElse(null) : null;
+        Cloud cloud = isVisible ? cloud().orElse(null) : null;
         if (cloud == null) {
             return;
         }
@@ -157,8 +157,8 @@ public final class TechniqueComparison {
 
     /** Takes pictures that are newer than those that are shown, even if newer ones are wanted already. */
     private void receive(ComparedPictures drawn, long number) {
-        if (isShown && number >= shown) {
-            shown = number;
+        if (isVisible && number >= received) {
+            received = number;
             pictures = drawn;
             subject.redraw();
         }

@@ -15,7 +15,7 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.Capture;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 
 /**
  * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
@@ -62,7 +62,8 @@ public final class TracedCorner {
 
         /** Returns radiance, the bottom row first, as the engine would display it. */
         static Picture picture(float[] radiance, int width, Level level) {
-            BufferedImage image = Capture.toneMapped(radiance, width, level.environment(), Outputs.defaultFor(level));
+            BufferedImage image =
+                    Capture.toneMapped(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
             byte[] rgb = new byte[3 * width * image.getHeight()];
             for (int i = 0; i < width * image.getHeight(); i++) {
                 int colour = image.getRGB(i % width, i / width);
@@ -76,7 +77,7 @@ public final class TracedCorner {
 
     private final ProvingSubject subject;
     private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private boolean isVisible;
     private int enough = ENOUGH_SAMPLES;
     private Wanted wanted;
 
@@ -120,23 +121,23 @@ public final class TracedCorner {
         threads = other;
     }
 
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Shows the picture or takes it away. */
-    public void show(boolean shown) {
-        show(shown, ENOUGH_SAMPLES);
+    public void show(boolean visible) {
+        show(visible, ENOUGH_SAMPLES);
     }
 
     /** Shows the picture up to a number of samples per pixel, or takes it away. */
-    public void show(boolean shown, int samples) {
-        isShown = shown;
+    public void show(boolean visible, int samples) {
+        isVisible = visible;
         enough = samples;
         wanted = null;
         traced = null;
         running = running + 1;
-        if (isShown) {
+        if (isVisible) {
             follow();
         }
         subject.redraw();
@@ -144,7 +145,7 @@ public final class TracedCorner {
 
     /** Returns the picture; empty while there is none. */
     public Optional<Traced> traced() {
-        return isShown ? Optional.ofNullable(traced) : Optional.empty();
+        return isVisible ? Optional.ofNullable(traced) : Optional.empty();
     }
 
     /** Returns the picture if it belongs to a pane. */
@@ -153,7 +154,7 @@ public final class TracedCorner {
     }
 
     void follow() {
-        if (!isShown || !subject.isSettled()) {
+        if (!isVisible || !subject.isSettled()) {
             return;
         }
         Wanted next = new Wanted(subject.level(), subject.assets(), PaneEye.of(subject));

@@ -43,7 +43,7 @@ public final class PaintedMaps {
     /** Ids of maps that are not forgotten, because a picture of them is being drawn. */
     private Set<String> drawn = Set.of();
 
-    private long shown;
+    private long strokeNumber;
 
     /** @param levelFile the level's, empty if it was never saved */
     public PaintedMaps(Supplier<Optional<Path>> levelFile) {
@@ -71,8 +71,8 @@ public final class PaintedMaps {
 
     /** Keeps a map in memory until a few others have been shown; returns its id. */
     synchronized String show(PaintedMap map) {
-        shown++;
-        return remember(FOLDER + "stroke-" + shown + ".png", map);
+        strokeNumber++;
+        return remember(FOLDER + "stroke-" + strokeNumber + ".png", map);
     }
 
     private String remember(String id, PaintedMap map) {

@@ -62,9 +62,9 @@ public final class AssetPictures {
     /**
      * Returns the picture of an asset, opaque and square; empty while it is read.
      *
-     * @param shown its parent is repainted when the picture has been read
+     * @param component its parent is repainted when the picture has been read
      */
-    public Optional<BufferedImage> find(String assetId, Component shown) {
+    public Optional<BufferedImage> find(String assetId, Component component) {
         AssetSource now = assets.get();
         if (source != now) {
             source = now;
@@ -72,7 +72,7 @@ public final class AssetPictures {
         }
         BufferedImage known = pictures.putIfAbsent(assetId, NONE);
         if (known == null) {
-            Component parent = shown.getParent() == null ? shown : shown.getParent();
+            Component parent = component.getParent() == null ? component : component.getParent();
             background.execute(() -> {
                 BufferedImage read = read(now, assetId);
                 EventQueue.invokeLater(() -> {

@@ -11,7 +11,6 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JMenuBar;
@@ -39,7 +38,6 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
     private final OptionBar options;
     private final StatusBar status;
     private final ViewportPanel viewport;
-    private final SlotLayout middle;
     private final transient List<Registration> registrations = new ArrayList<>();
     private transient EditorKeys keys;
 
@@ -53,7 +51,8 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         options = new OptionBar(session, commands);
         status = new StatusBar(session);
         viewport = new ViewportPanel(session, this::pointed, line -> session.status(Words.same(line)));
-        middle = new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
+        SlotLayout middle =
+                new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);
         top.add(toolbar, BorderLayout.CENTER);
@@ -119,11 +118,6 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
 
     public ViewportPanel viewport() {
         return viewport;
-    }
-
-    /** Returns the places of the splitters by name, for {@link EditorSetting#SPLITTERS}. */
-    public Map<String, Double> splitters() {
-        return middle.shares();
     }
 
     /**

@@ -90,12 +90,12 @@ final class OptionBar extends JPanel {
 
     private final transient EditorSession session;
     private final transient EditorCommands commands;
-    private final transient List<CommandButton> shown = new ArrayList<>();
+    private final transient List<CommandButton> buttons = new ArrayList<>();
     private final JComboBox<Double> grid = new JComboBox<>();
     private final LayerBox layers;
     private transient EditorKeys keys;
-    private String shownTool = "";
-    private boolean isLayersShown;
+    private String filledTool = "";
+    private boolean hasLayers;
 
     OptionBar(EditorSession session, EditorCommands commands) {
         super(new WrappingRow());
@@ -125,9 +125,9 @@ final class OptionBar extends JPanel {
 
     private void fill() {
         removeAll();
-        shown.clear();
+        buttons.clear();
         Language language = session.language();
-        shownTool = session.toolEntry().id();
+        filledTool = session.toolEntry().id();
         getAccessibleContext().setAccessibleName(WindowText.OPTIONS.in(language));
         for (List<String> group : VIEW) {
             group(group);
@@ -137,12 +137,12 @@ final class OptionBar extends JPanel {
         grid.getAccessibleContext().setAccessibleName(WindowText.GRID_STEP.in(language));
         grid.updateUI();
         add(grid);
-        if (!of(shownTool).isEmpty()) {
+        if (!of(filledTool).isEmpty()) {
             separator();
-            group(of(shownTool));
+            group(of(filledTool));
         }
-        isLayersShown = LayerBox.isOffered(session);
-        if (isLayersShown) {
+        hasLayers = LayerBox.isOffered(session);
+        if (hasLayers) {
             layers.setToolTipText(WindowText.LAYER_TO_PAINT.in(language));
             layers.getAccessibleContext().setAccessibleName(WindowText.LAYER_TO_PAINT.in(language));
             layers.updateUI();
@@ -162,7 +162,7 @@ final class OptionBar extends JPanel {
         CommandButton made = CommandButton.of(command, button, keys, session.language());
         button.addActionListener(event -> refresh());
         add(button);
-        shown.add(made);
+        buttons.add(made);
     }
 
     private void separator() {
@@ -173,14 +173,14 @@ final class OptionBar extends JPanel {
 
     /** Shows what holds now; another tool brings its own options. */
     void refresh() {
-        boolean isSame = shownTool.equals(session.toolEntry().id()) && isLayersShown == LayerBox.isOffered(session);
+        boolean isSame = filledTool.equals(session.toolEntry().id()) && hasLayers == LayerBox.isOffered(session);
         if (keys != null && !isSame) {
             fill();
             return;
         }
-        shown.forEach(CommandButton::refresh);
+        buttons.forEach(CommandButton::refresh);
         grid.setSelectedItem(session.grid().stepMetres());
-        if (isLayersShown) {
+        if (hasLayers) {
             layers.refresh();
         }
     }

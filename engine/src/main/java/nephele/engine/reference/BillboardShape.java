@@ -89,8 +89,8 @@ final class BillboardShape implements TracedShape {
         return between(upper, lower, y - row);
     }
 
-    private static double between(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double between(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 
     /** Returns a stored value; of colours the linear one, on the same scale. */

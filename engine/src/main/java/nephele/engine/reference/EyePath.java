@@ -49,7 +49,7 @@ final class EyePath {
      * A mirror on the path.
      *
      * @param before the part of the path that ends at it
-     * @param lost share of light that all mirrors before it transmit and that it absorbs
+     * @param lost fraction of light that all mirrors before it transmit and that it absorbs
      */
     record Reflected(Segment before, Vector3dc lost) {
         /** Returns the length of the path from the eye to the mirror. */

@@ -115,9 +115,9 @@ final class GroundShape implements TracedShape {
 
         void add(double weight, Skin skin, Vec3 place) {
             for (int axis = 0; axis < GroundProjections.COUNT; axis++) {
-                double share = projections.share(axis);
-                if (share > 0) {
-                    add(weight * share, skin, place, axis);
+                double fraction = projections.share(axis);
+                if (fraction > 0) {
+                    add(weight * fraction, skin, place, axis);
                 }
             }
         }

@@ -99,9 +99,10 @@ final class Illumination {
         if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
-            double share =
-                    sun.castsShadow() ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random()) : 1;
-            sum.add(surface.sunlit(towardsSun).mul(sun.irradiance().toVector()).mul(share));
+            double fraction = sun.castsShadow()
+                    ? cover.fraction(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random())
+                    : 1;
+            sum.add(surface.sunlit(towardsSun).mul(sun.irradiance().toVector()).mul(fraction));
         }
     }
 
@@ -123,8 +124,8 @@ final class Illumination {
         boolean casts = light.source().castsShadow();
         if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, way, 1, surface.item()))) {
             way.div(distance);
-            double share = casts ? cover.share(origin, way, distance, sample.random()) : 1;
-            sum.add(surface.reflected(way).mul(irradiance).mul(share));
+            double fraction = casts ? cover.fraction(origin, way, distance, sample.random()) : 1;
+            sum.add(surface.reflected(way).mul(irradiance).mul(fraction));
         }
     }
 

@@ -34,7 +34,7 @@ record SurfacePoint(
      * Leaves that a billboard stands for; the sun shines on them from all sides.
      *
      * @param through length by which the unit normal is turned towards the sun before both are made a unit again
-     * @param between share of the sun's light that those receive on the mean which lie behind others
+     * @param between fraction of the sun's light that those receive on the mean which lie behind others
      */
     record Leaves(double through, double between) {}
 

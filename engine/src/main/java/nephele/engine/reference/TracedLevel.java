@@ -93,7 +93,7 @@ public final class TracedLevel {
     }
 
     /**
-     * Returns the share of a light from outside the level that passes the clouds on its way to a place, as the mean of
+     * Returns the fraction of a light from outside the level that passes the clouds on its way to a place, as the mean of
      * random estimates.
      *
      * @param towardsLight unit
@@ -141,7 +141,7 @@ public final class TracedLevel {
     }
 
     /**
-     * Returns the share of light that passes the fog.
+     * Returns the fraction of light that passes the fog.
      *
      * @param segment the part of the path that ends at the light
      * @param metres length of the path
@@ -184,7 +184,7 @@ public final class TracedLevel {
     }
 
     /**
-     * Returns the share of the light of a place that passes the air, for each channel.
+     * Returns the fraction of the light of a place that passes the air, for each channel.
      *
      * @param direction unit vector from the eye, at the place
      * @param metres length of the path

@@ -13,7 +13,7 @@ public final class VisibleSurface {
     /** The depth difference that a rendered picture cannot resolve. */
     private static final double SAME_METRES = 1e-5;
 
-    /** The share of the distance to a light by which shadow rays start above the surface. */
+    /** The fraction of the distance to a light by which shadow rays start above the surface. */
     private static final double LIFT = 1e-7;
 
     private final TracedItems rays;
@@ -70,7 +70,7 @@ public final class VisibleSurface {
      * shadows unmoved, the lit item does not shade itself if it is convex.
      *
      * @param way vector to the light from the unmoved point
-     * @param limit share of the way that counts; infinite for the sun
+     * @param limit fraction of the way that counts; infinite for the sun
      */
     public boolean isLit(Vec3 shift, Vec3 way, double limit) {
         Vec3 p = place();

@@ -73,7 +73,10 @@ class DialogsSwingTest {
     }
 
     private FormPanel form(String part) {
-        ActionForm form = ActionForm.named(part);
+        ActionForm form = ActionForm.ALL.stream()
+                .filter(each -> each.part().equals(part))
+                .findFirst()
+                .orElseThrow();
         return new FormPanel(form, session, values -> run(form.action(), values), () -> closed++);
     }
 

@@ -119,7 +119,7 @@ class CloudFieldsTest {
     @Test
     void sixteenBitsOfAlphaCount() {
         byte[] samples = {0, 0, 0, (byte) 0x80, 0, 0, 1, 0};
-        VoxelGrid grid = CloudPicture.densities(new Picture(2, 1, 2, 16, samples));
+        VoxelGrid grid = CloudFiles.densities(new Picture(2, 1, 2, 16, samples));
         assertEquals(-Math.log(1 - 0x8000 / 65535.0), grid.value(0, 0, 0), 1e-6);
         assertEquals(1 / 65535.0, grid.value(1, 0, 0), 1e-9);
     }

@@ -27,9 +27,9 @@ class BeamLightTest {
             double high = edge * Math.pow((i + 1.0) / steps, 4);
             sum += Math.PI * (high - low) * phase.perSteradian((low + high) / 2);
         }
-        assertEquals(sum, phase.shareWithin(edge), 5e-6);
-        assertEquals(0, phase.shareWithin(0));
-        assertEquals(1, phase.shareWithin(4), 1e-9);
+        assertEquals(sum, phase.fractionWithin(edge), 5e-6);
+        assertEquals(0, phase.fractionWithin(0));
+        assertEquals(1, phase.fractionWithin(4), 1e-9);
     }
 
     @Test

@@ -48,13 +48,13 @@ final class FieldUnion {
         }
         for (RecordField field : union.values()) {
             String path = section == null ? null : section.isEmpty() ? field.name() : section + "." + field.name();
-            if (isShown(field, path)) {
+            if (isListed(field, path)) {
                 component(prefix.component(field.name()), path, depth, field, values(owners, field));
             }
         }
     }
 
-    private boolean isShown(RecordField field, String section) {
+    private boolean isListed(RecordField field, String section) {
         boolean isEntities = section != null && structure.list(section).isPresent();
         boolean isCommonId = field.isId() && refs.size() > 1;
         return !isEntities && !isCommonId && field.valueClass() != EditorNotes.class;

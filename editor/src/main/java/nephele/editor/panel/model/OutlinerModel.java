@@ -43,11 +43,6 @@ public final class OutlinerModel {
         }
     }
 
-    /** Unfolds the section of an entity. */
-    public void reveal(EntityRef ref) {
-        folded.remove(ref.section());
-    }
-
     /** Returns the lines; with a query, only those of matching entities and no empty sections. */
     public List<OutlinerRow> rows(Record root, EntityStatus status, EntityQuery query) {
         List<OutlinerRow> rows = new ArrayList<>();

@@ -47,7 +47,6 @@ public final class DrawBrushTool implements Tool {
                     "Arraste para desenhar um bloco; Shift: base quadrada, Alt: altura",
                     "Arrasta para desenhar um bloco; Shift: base quadrada, Alt: altura"),
             "B",
-            "brush",
             DrawBrushTool::new);
 
     private static final Words DRAW = Words.of("Draw brush", "Desenhar bloco", "Desenhar bloco");

@@ -45,7 +45,6 @@ public final class ClipTool implements Tool {
                     "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar",
                     "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar"),
             "C",
-            "clip",
             ClipTool::new);
 
     private static final Words CLIP = Words.of("Clip", "Cortar", "Cortar");
@@ -269,11 +268,7 @@ public final class ClipTool implements Tool {
 
     @Override
     public Words hint() {
-        Words how = ENTRY.description();
         Words kept = keep == Keep.BOTH ? KEEPS_BOTH : keep == Keep.BEHIND ? KEEPS_BEHIND : KEEPS_FRONT;
-        return Words.of(
-                how.english() + "; " + kept.english(),
-                how.brazilian() + "; " + kept.brazilian(),
-                how.european() + "; " + kept.european());
+        return Words.same("%s; %s").with(ENTRY.description(), kept);
     }
 }

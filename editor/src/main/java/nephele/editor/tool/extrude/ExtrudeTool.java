@@ -42,7 +42,6 @@ public final class ExtrudeTool implements Tool {
                     "Arraste uma face pela normal; Shift+clique: várias; Control: bloco novo",
                     "Arrasta uma face pela normal; Shift+clique: várias; Control: bloco novo"),
             "X",
-            "extrude",
             ExtrudeTool::new);
 
     private static final Words EXTRUDE = Words.of("Extrude face", "Extrudar face", "Extrudir face");

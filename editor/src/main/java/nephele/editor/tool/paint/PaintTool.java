@@ -40,7 +40,6 @@ public final class PaintTool implements Tool {
                     "Pinte faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: pegar",
                     "Pinta faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: obter"),
             "M",
-            "paint",
             PaintTool::new);
 
     private static final Words PAINT = Words.of("Paint", "Pintar", "Pintar");
@@ -105,13 +104,7 @@ public final class PaintTool implements Tool {
         }
         FacesUnderPointer.shape(context.document().level(), hovered).ifPresent(face -> {
             context.options().material(face.material());
-            context.status(
-                    face.material() == null
-                            ? Words.of(
-                                    TAKEN.with(GREY.english()).english(),
-                                    TAKEN.with(GREY.brazilian()).brazilian(),
-                                    TAKEN.with(GREY.european()).european())
-                            : TAKEN.with(face.material()));
+            context.status(TAKEN.with(face.material() == null ? GREY : face.material()));
         });
     }
 
@@ -234,7 +227,7 @@ public final class PaintTool implements Tool {
 
     private static Solid with(Solid solid, String face, String material, TexturePlacement texture) {
         boolean isInherited = Objects.equals(solid.material(), material);
-        // A face cannot say that it is grey: the solid becomes grey and its other faces say what they were.
+        // A face has no word for grey: the solid becomes grey, and its other faces keep their materials as their own.
         Solid base = material == null && !isInherited ? greyed(solid) : solid;
         return SolidFaces.with(
                 base,

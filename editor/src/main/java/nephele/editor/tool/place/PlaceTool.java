@@ -29,7 +29,6 @@ public final class PlaceTool implements Tool {
                     "Clique numa superfície para colocar uma entidade",
                     "Clica numa superfície para colocar uma entidade"),
             "G",
-            "place",
             PlaceTool::new);
 
     private static final Words PLACE = Words.of("Place %s", "Colocar %s", "Colocar %s");

@@ -31,7 +31,6 @@ public final class PortalableTool implements Tool {
                     "Clique numa face para permitir ou recusar portais; arraste para mais faces",
                     "Clica numa face para permitir ou recusar portais; arrasta para mais faces"),
             "K",
-            "portalable",
             PortalableTool::new);
 
     private static final Words PERMIT = Words.of("Permit portals", "Permitir portais", "Permitir portais");

@@ -23,7 +23,6 @@ public final class SunTool implements Tool {
                     "Arraste numa vista em perspectiva para pôr o sol ali",
                     "Arrasta numa vista em perspetiva para pôr o sol ali"),
             "U",
-            "sun",
             SunTool::new);
 
     private static final Words MOVE = Words.of("Move sun", "Mover sol", "Mover o sol");

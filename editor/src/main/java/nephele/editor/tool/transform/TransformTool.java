@@ -35,7 +35,6 @@ public final class TransformTool implements Tool {
                     "Arraste uma seta ou um canto para mover ao longo de um eixo ou em um plano",
                     "Arrasta uma seta ou um canto para mover ao longo de um eixo ou num plano"),
             "W",
-            "move",
             context -> new TransformTool(context, Gizmo.MOVE));
 
     public static final ToolEntry ROTATE = new ToolEntry(
@@ -46,7 +45,6 @@ public final class TransformTool implements Tool {
                     "Arraste um anel para girar de 15° em 15°; Shift: de 5° em 5°",
                     "Arrasta um anel para rodar de 15° em 15°; Shift: de 5° em 5°"),
             "E",
-            "rotate",
             context -> new TransformTool(context, Gizmo.ROTATE));
 
     public static final ToolEntry SCALE = new ToolEntry(
@@ -57,7 +55,6 @@ public final class TransformTool implements Tool {
                     "Arraste a alça de um lado para esticar, a de um canto para escalar todos os lados",
                     "Arrasta a pega de um lado para esticar, a de um canto para dimensionar todos os lados"),
             "R",
-            "scale",
             context -> new TransformTool(context, Gizmo.SCALE));
 
     private static final double TURN_DEGREES = 15;

@@ -40,7 +40,6 @@ public final class VertexTool implements Tool {
                     "Arraste vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta",
                     "Arrasta vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta"),
             "V",
-            "vertex",
             VertexTool::new);
 
     private static final Words MOVE = Words.of("Move vertices", "Mover vértices", "Mover vértices");

@@ -93,10 +93,6 @@ record ActionForm(
         return new ActionForm(part, action, title, fields, other);
     }
 
-    static ActionForm named(String part) {
-        return ALL.stream().filter(form -> form.part().equals(part)).findFirst().orElseThrow();
-    }
-
     private static List<EntityRef> selected(EditorSession session) {
         return session.document().selection().entities();
     }

@@ -57,12 +57,12 @@ public final class AssetDialog implements AssetChooser {
                 rowPoints);
     }
 
-    private SearchRow row(String id, int rowPoints) {
+    private SearchList.Row row(String id, int rowPoints) {
         int slash = id.lastIndexOf('/');
         Icon icon = AssetFamily.of(id) == AssetFamily.PICTURE
                 ? pictures.icon(id, rowPoints == ROW_POINTS ? ICON_POINTS : SMALL_POINTS)
                 : null;
-        return new SearchRow(id.substring(slash + 1), slash < 0 ? "" : id.substring(0, slash), "", icon, true);
+        return new SearchList.Row(id.substring(slash + 1), slash < 0 ? "" : id.substring(0, slash), "", icon, true);
     }
 
     @Override

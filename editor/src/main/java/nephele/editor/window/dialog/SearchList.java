@@ -17,6 +17,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -36,19 +37,33 @@ public final class SearchList<T> extends JPanel {
     private static final int ROWS = 14;
     private static final int WIDTH_POINTS = 560;
     private static final int ROW_POINTS = 24;
+    /**
+     * The row of a search list for an element.
+     *
+     * @param aside what it belongs to, in a column of its own; may be empty
+     * @param trailing such as its key, at the right end; may be empty
+     * @param icon {@code null} for none
+     */
+    public record Row(String title, String aside, String trailing, Icon icon, boolean isEnabled) {
+        /** Returns a row with a title alone. */
+        public static Row of(String title, String aside) {
+            return new Row(title, aside, "", null, true);
+        }
+    }
+
     /** Paints the rows of a search list in three columns that stay aligned from row to row. */
     private static final class SearchCell<T> extends JPanel implements ListCellRenderer<T> {
         private static final int INSET_POINTS = 8;
         private static final double ASIDE_AT = 0.56;
         private static final double TRAILING_AT = 0.76;
 
-        private final transient Function<T, SearchRow> rows;
+        private final transient Function<T, Row> rows;
         private final int rowPoints;
         private final JLabel title = new JLabel();
         private final JLabel aside = new JLabel();
         private final JLabel trailing = new JLabel("", SwingConstants.TRAILING);
 
-        SearchCell(Function<T, SearchRow> rows, int rowPoints) {
+        SearchCell(Function<T, Row> rows, int rowPoints) {
             super(null);
             this.rows = rows;
             this.rowPoints = rowPoints;
@@ -60,7 +75,7 @@ public final class SearchList<T> extends JPanel {
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends T> list, T value, int index, boolean isSelected, boolean hasFocus) {
-            SearchRow row = rows.apply(value);
+            Row row = rows.apply(value);
             title.setText(row.title());
             title.setIcon(row.icon());
             aside.setText(row.aside());
@@ -104,14 +119,14 @@ public final class SearchList<T> extends JPanel {
     private final JList<T> list = new JList<>(found);
     private final JPanel results = new JPanel(new CardLayout());
     private final transient Function<String, List<T>> find;
-    private final transient Function<T, SearchRow> rows;
+    private final transient Function<T, Row> rows;
     private final transient Consumer<Optional<T>> done;
 
     /** Creates a list that shows what an empty query finds, in rows of the usual height. */
     public SearchList(
             DialogText prompt,
             Function<String, List<T>> find,
-            Function<T, SearchRow> rows,
+            Function<T, Row> rows,
             Consumer<Optional<T>> done,
             Language language) {
         this(prompt, find, rows, done, language, ROW_POINTS);
@@ -127,7 +142,7 @@ public final class SearchList<T> extends JPanel {
     SearchList(
             DialogText prompt,
             Function<String, List<T>> find,
-            Function<T, SearchRow> rows,
+            Function<T, Row> rows,
             Consumer<Optional<T>> done,
             Language language,
             int rowPoints) {

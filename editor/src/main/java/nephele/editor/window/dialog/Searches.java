@@ -25,7 +25,7 @@ public final class Searches {
         return new SearchList<>(
                 DialogText.SEARCH_COMMANDS,
                 query -> EditorCommands.find(commands, query, language),
-                command -> new SearchRow(
+                command -> new SearchList.Row(
                         command.title().in(language),
                         command.menu().title().in(language),
                         keys.of(command.id()).stream()
@@ -47,7 +47,7 @@ public final class Searches {
                         .filter(entry -> hasWords(
                                 query, entry.words().in(language), entry.words().english(), entry.section()))
                         .toList(),
-                entry -> SearchRow.of(
+                entry -> SearchList.Row.of(
                         entry.words().in(language), entry.sectionWords().in(language)),
                 done,
                 language);
@@ -60,7 +60,7 @@ public final class Searches {
                 query -> files.stream()
                         .filter(file -> hasWords(query, file.toString()))
                         .toList(),
-                file -> SearchRow.of(
+                file -> SearchList.Row.of(
                         file.getFileName().toString(), file.getParent().toString()),
                 done,
                 language);

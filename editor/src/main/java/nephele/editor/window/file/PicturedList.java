@@ -62,11 +62,11 @@ final class PicturedList extends JPanel {
     }
 
     /** Shows other rows, and keeps the place of the selection as far as possible. */
-    void show(List<FileRow> shown) {
+    void show(List<FileRow> next) {
         int selected = Math.max(0, list.getSelectedIndex());
         rows.clear();
-        shown.forEach(rows::addElement);
-        list.setSelectedIndex(Math.min(selected, shown.size() - 1));
+        next.forEach(rows::addElement);
+        list.setSelectedIndex(Math.min(selected, next.size() - 1));
         showSelected();
     }
 

@@ -19,7 +19,7 @@ final class KeyTable extends AbstractTableModel {
             List.of(PageText.ACTION, PageText.MENU, PageText.KEYS, PageText.CONFLICT);
 
     private final transient List<EditorCommand> commands;
-    private transient List<EditorCommand> shown = List.of();
+    private transient List<EditorCommand> listed = List.of();
     private transient EditorKeys keys;
     private transient Language language = Language.EN;
     private String filter = "";
@@ -38,7 +38,7 @@ final class KeyTable extends AbstractTableModel {
     /** Shows the actions whose title, menu or keys have all words. */
     void filter(String words) {
         filter = words;
-        shown = commands.stream()
+        listed = commands.stream()
                 .filter(command -> Searches.hasWords(
                         words,
                         command.title().in(language),
@@ -50,20 +50,20 @@ final class KeyTable extends AbstractTableModel {
     }
 
     EditorCommand command(int row) {
-        return shown.get(row);
+        return listed.get(row);
     }
 
     int row(EditorCommand command) {
-        return shown.indexOf(command);
+        return listed.indexOf(command);
     }
 
     boolean hasConflict(int row) {
-        return !conflictText(shown.get(row)).isEmpty();
+        return !conflictText(listed.get(row)).isEmpty();
     }
 
     @Override
     public int getRowCount() {
-        return shown.size();
+        return listed.size();
     }
 
     @Override
@@ -78,7 +78,7 @@ final class KeyTable extends AbstractTableModel {
 
     @Override
     public Object getValueAt(int row, int column) {
-        EditorCommand command = shown.get(row);
+        EditorCommand command = listed.get(row);
         return switch (column) {
             case 0 -> command.title().in(language);
             case 1 -> command.menu().title().in(language);

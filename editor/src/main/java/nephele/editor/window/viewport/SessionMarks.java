@@ -103,7 +103,8 @@ final class SessionMarks {
         if (entity instanceof Solid solid) {
             shapes.brush(solid).ifPresent(brush -> addEdges(brush, made));
         } else if (!(entity instanceof Body) && !(entity instanceof ModelPlacement)) {
-            addBox(EntityBounds.of(entity), made);
+            Aabb box = EntityBounds.of(entity);
+            made.addAll(box.isEmpty() ? List.of() : Mark.box(box, MarkColour.SELECTED, Visibility.ALWAYS));
         }
     }
 
@@ -126,19 +127,6 @@ final class SessionMarks {
 
     private static Mark line(Vec3 from, Vec3 to) {
         return new Mark.Line(from, to, MarkColour.SELECTED, Visibility.ALWAYS);
-    }
-
-    private static void addBox(Aabb box, List<Mark> made) {
-        if (box.isEmpty()) {
-            return;
-        }
-        for (int corner = 0; corner < 8; corner++) {
-            for (int axis = 1; axis < 8; axis <<= 1) {
-                if ((corner & axis) == 0) {
-                    made.add(line(box.corner(corner), box.corner(corner | axis)));
-                }
-            }
-        }
     }
 
     private static void addFace(FaceRef ref, Level level, LevelShapes shapes, List<Mark> made) {

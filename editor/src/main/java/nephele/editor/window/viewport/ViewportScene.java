@@ -223,7 +223,7 @@ final class ViewportScene implements SurfacePainter {
     }
 
     private static List<LegendLine> legend(HeatOverlay heat, Language language) {
-        if (!heat.isShown()) {
+        if (!heat.isVisible()) {
             return List.of();
         }
         List<LegendLine> lines = new ArrayList<>();

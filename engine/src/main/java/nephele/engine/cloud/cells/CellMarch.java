@@ -56,7 +56,20 @@ public final class CellMarch {
      * @param irradiance of the sun
      * @param above mean radiance of the upper half of the sky, {@code below} of the lower one
      */
-    public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {}
+    public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {
+        /** Returns the greatest difference: radians of the sun's direction, and fractions of all light. */
+        public double difference(OutsideOfCloud other) {
+            if (other == this) {
+                return 0;
+            }
+            double turn = Math.atan2(towardsSun.cross(other.towardsSun).length(), towardsSun.dot(other.towardsSun));
+            double light = irradiance.length() + above.length() + below.length();
+            double changed = irradiance.minus(other.irradiance).length()
+                    + above.minus(other.above).length()
+                    + below.minus(other.below).length();
+            return Math.max(turn, changed / Math.max(1e-12, light));
+        }
+    }
 
     /** Creates a march whose focus is in the middle of the narrowest box. */
     public CellMarch(CellStack cloud, OutsideOfCloud outside) {
@@ -108,14 +121,14 @@ public final class CellMarch {
         double end = Math.min(toMetres, inside.toMetres());
         double turned = 2 - 2 * dot(ray, outside.towardsSun());
         double at = start;
-        double share = offset;
+        double fraction = offset;
         while (at < end && scaledTransmittance > OPAQUE) {
             double step = stepCells * Math.max(cloud.narrowest().shortest(), GROWTH * at);
             // The first step is cut, so that samples of other offsets lie between.
-            double to = Math.min(at + share * step, end);
+            double to = Math.min(at + fraction * step, end);
             step(ray, at, to, turned);
             at = to;
-            share = 1;
+            fraction = 1;
         }
         finish();
     }
@@ -189,12 +202,12 @@ public final class CellMarch {
     }
 
     /** Mixes the light of a box into what has been found. */
-    private void findLight(int level, Ray ray, double at, double share) {
+    private void findLight(int level, Ray ray, double at, double fraction) {
         CellPlace place = lit.get(level);
         place(place, ray, at);
         for (int value = 0; value < LightCells.VALUES; value++) {
             double found = place.of(cloud.light().get(level).values(), LightCells.VALUES, value);
-            light[value] = share == 1 ? found : light[value] + share * (found - light[value]);
+            light[value] = fraction == 1 ? found : light[value] + fraction * (found - light[value]);
         }
     }
 
@@ -253,7 +266,7 @@ public final class CellMarch {
         return ray.directionX() * v.x() + ray.directionY() * v.y() + ray.directionZ() * v.z();
     }
 
-    /** Returns the share of the light behind the cloud that passes it. */
+    /** Returns the fraction of the light behind the cloud that passes it. */
     public double transmittance() {
         return transmittance;
     }

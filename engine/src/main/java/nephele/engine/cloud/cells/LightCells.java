@@ -12,7 +12,7 @@ import nephele.engine.math.bvh.SpatialIndex;
 
 /** The light at the centres of cells of a cloud, for one direction of the sun. Immutable. */
 public final class LightCells {
-    /** Sun-ward depth, diffuse mean, diffuse slope, share from above, share from below. */
+    /** Sun-ward depth, diffuse mean, diffuse slope, fraction from above, fraction from below. */
     static final int VALUES = 5;
 
     /** The usual number of cells of density along each edge of a cell of light. */
@@ -152,7 +152,7 @@ public final class LightCells {
         return values;
     }
 
-    /** Puts a slice as texels: sun-ward depth, diffuse mean, diffuse slope, share from above. */
+    /** Puts a slice as texels: sun-ward depth, diffuse mean, diffuse slope, fraction from above. */
     public void put(int k, FloatBuffer texels) {
         int first = VALUES * cells.index(0, 0, k);
         for (int n = 0; n < cells.nx() * cells.ny(); n++) {

@@ -23,13 +23,13 @@ public record BeamLight(CloudOptics optics, double fading) {
      * particle k of optical depth τ<sub>k</sub> passes on I<sub>k+1</sub> = (e<sup>−τ<sub>k</sub></sup> + ω τ<sub>k</sub> p(0) γ)
      * I<sub>k</sub>, p per steradian. That depends on how many particles share a depth, and grows without bound where ω p(0) γ
      * exceeds 1. For particles without end of no depth it becomes dI/dτ = −(1 − f) I with f = ω p(0) γ, so I = e<sup>−(1 − f) τ</sup>.
-     * Here f is ω times the share of light that is scattered into a cone of γ: the same where p hardly changes in the cone,
+     * Here f is ω times the fraction of light that is scattered into a cone of γ: the same where p hardly changes in the cone,
      * and at most 1 where it has a peak.
      */
     public static BeamLight forwards(CloudOptics optics) {
         // The cap of a sphere between separations 0 and s has the solid angle π s.
-        double share = optics.shareWithin(CONE_STERADIANS / Math.PI);
-        return new BeamLight(optics, 1 - optics.albedo() * share);
+        double fraction = optics.fractionWithin(CONE_STERADIANS / Math.PI);
+        return new BeamLight(optics, 1 - optics.albedo() * fraction);
     }
 
     /** Returns the irradiance of the beam at a point per unit irradiance of the sun. */

@@ -8,7 +8,7 @@ import nephele.engine.work.SwingThread;
 
 /**
  * The light inside a cloud in closed form, from optical depths alone: diffuse sunlight as in the slab that the cloud
- * resembles at a point, and the share of the sky's light from above and below that reaches it. Immutable.
+ * resembles at a point, and the fraction of the sky's light from above and below that reaches it. Immutable.
  */
 public final class CloudLight {
     /** The slab of the two-stream solution is lit at least at this angle. */
@@ -42,8 +42,8 @@ public final class CloudLight {
      * @param diffuseMean mean radiance of diffuse sunlight per unit irradiance, I₀
      * @param diffuseSlope what is added to it along the {@link #diffuseAxis} and subtracted against it, I₁ without the part
      *     that follows the beam
-     * @param fromAbove share of the upper sky's mean radiance that reaches the point
-     * @param fromBelow share of the lower one's
+     * @param fromAbove fraction of the upper sky's mean radiance that reaches the point
+     * @param fromBelow fraction of the lower one's
      */
     public record AtPoint(
             double sunDepth, double diffuseMean, double diffuseSlope, double fromAbove, double fromBelow) {}
@@ -102,7 +102,7 @@ public final class CloudLight {
      *
      * @param sunDepth optical depth towards the sun
      * @param eyeDepth optical depth towards the eye
-     * @param exitLight share of the sunlight that reaches the side towards the eye
+     * @param exitLight fraction of the sunlight that reaches the side towards the eye
      */
     public double greatestMean(double sunDepth, double eyeDepth, double exitLight) {
         double toSun = 1 / openness(OBLIQUITY * sunDepth);
@@ -122,7 +122,7 @@ public final class CloudLight {
         return 1 / (1 + 0.75 * (1 - medium.g()) * medium.depthFactor() * depth);
     }
 
-    /** Returns the share of even light from outside that absorption leaves. */
+    /** Returns the fraction of even light from outside that absorption leaves. */
     private double remaining(AxisDepths depths, double slabThickness) {
         double absorbed = 1 - medium.albedo();
         if (absorbed < 1e-6) {

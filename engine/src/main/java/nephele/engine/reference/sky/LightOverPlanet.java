@@ -46,12 +46,12 @@ final class LightOverPlanet implements DistantLight {
         double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
         SunOverLimb disc =
                 SunOverLimb.seen(air.sunRadiusRadians(), height, place.zenith().dot(towards));
-        if (disc.share() == 0) {
+        if (disc.fraction() == 0) {
             return Vec3.ZERO;
         }
         Vec3 passed = passed(height, disc.lowSine())
                 .plus(passed(height, disc.highSine()))
-                .scaled(0.5 * disc.share());
+                .scaled(0.5 * disc.fraction());
         return outside.times(passed);
     }
 
@@ -71,9 +71,9 @@ final class LightOverPlanet implements DistantLight {
         return new Vec3(passed[0], passed[1], passed[2]);
     }
 
-    private static double between(double[] column, int row, double share, int channel) {
+    private static double between(double[] column, int row, double fraction, int channel) {
         double low = column[3 * row + channel];
-        return low + share * (column[3 * row + 3 + channel] - low);
+        return low + fraction * (column[3 * row + 3 + channel] - low);
     }
 
     /** Returns the elevation of the horizon, at most 0. */
@@ -93,8 +93,8 @@ final class LightOverPlanet implements DistantLight {
     private double[] integrated(double aboveHorizon) {
         double[] logarithms = new double[3 * HEIGHTS];
         for (int row = 0; row < HEIGHTS; row++) {
-            double share = row / (HEIGHTS - 1.0);
-            double height = Air.TOP_METRES * share * share;
+            double fraction = row / (HEIGHTS - 1.0);
+            double height = Air.TOP_METRES * fraction * fraction;
             double elevation = Math.min(Math.PI / 2, horizonRadians(height) + aboveHorizon);
             Vec3 passed = air.transmittance(height, Math.sin(elevation));
             logarithms[3 * row] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.x()));

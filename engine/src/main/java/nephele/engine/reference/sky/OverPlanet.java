@@ -29,7 +29,7 @@ final class OverPlanet implements Surroundings {
     private final Scattered sun;
     private final Optional<Scattered> moon;
     private final List<DistantLight> lights;
-    private final double groundShare;
+    private final double groundFraction;
 
     /**
      * A light that the air scatters.
@@ -51,8 +51,8 @@ final class OverPlanet implements Surroundings {
         }
     }
 
-    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundShare) {
-        this.groundShare = groundShare;
+    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundFraction) {
+        this.groundFraction = groundFraction;
         this.atmosphere = atmosphere;
         outside = sun.irradiance();
         Air air = Daylight.air(atmosphere);
@@ -72,10 +72,10 @@ final class OverPlanet implements Surroundings {
 
     /**
      * @param environment with a sky of kind atmosphere and the sun of the time
-     * @param groundShare share of its light that the ground keeps under the clouds
+     * @param groundFraction of its light that the ground keeps under the clouds
      */
-    static OverPlanet of(Environment environment, double groundShare) {
-        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
+    static OverPlanet of(Environment environment, double groundFraction) {
+        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundFraction);
     }
 
     @Override
@@ -91,7 +91,7 @@ final class OverPlanet implements Surroundings {
         Vec3 sum = sun.from(place, direction).plus(glow.times(outside));
         Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
         boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
-        return meetsGround ? all.scaled(groundShare) : all;
+        return meetsGround ? all.scaled(groundFraction) : all;
     }
 
     @Override

@@ -72,7 +72,7 @@ public final class RendererClouds {
 
     /** Returns how far the techniques have changed, 1 without a change. */
     public double changed() {
-        return fade.isComplete() ? 1 : fade.share(fade.target());
+        return fade.isComplete() ? 1 : fade.fraction(fade.target());
     }
 
     /** Lets the time of the display pass, in which techniques change. */

@@ -115,7 +115,7 @@ public final class SurfaceLight {
         boolean isSame = interval == null
                 || cloudsFollowed != null
                         && interval.from() == cloudsFollowed.from()
-                        && interval.share() == cloudsFollowed.share();
+                        && interval.fraction() == cloudsFollowed.fraction();
         if (now == followed && isSame) {
             followFlash();
             return;

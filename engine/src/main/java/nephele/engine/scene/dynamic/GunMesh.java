@@ -27,6 +27,24 @@ public final class GunMesh {
     /** Position along z of the middle of the luminous chamber. */
     public static final double CHAMBER_METRES = -0.185;
 
+    /** The middles of the luminous chamber and of the hoop. */
+    public static final Vec3 CHAMBER = new Vec3(0, AXIS_METRES, CHAMBER_METRES);
+
+    public static final Vec3 HOOP = new Vec3(0, 0.062, MUZZLE_METRES);
+
+    /** Half the width of the hoop, and half its height. */
+    public static final double HOOP_HALF_WIDTH_METRES = 0.055;
+
+    public static final double HOOP_HALF_HEIGHT_METRES = 0.075;
+
+    /** Distance at which half of a lamp's light on the gun itself is left; the same of a shot's flash. */
+    public static final double LAMP_REACH_METRES = 0.03;
+
+    public static final double FLASH_REACH_METRES = 0.11;
+
+    /** Fraction of a lamp's light that arrives at right angles: lamps are no points. */
+    public static final double WRAPPED = 0.35;
+
     /** Number of the first material that shines in the colour of the next portal; those after it do so too. */
     public static final int FIRST_LAMP = 8;
 
@@ -265,7 +283,7 @@ public final class GunMesh {
     /** The hoop and its prongs; the light runs along the inside of the hoop and faces the player. */
     private void muzzle() {
         hoop(DARK, MUZZLE_METRES, 0.058, 0.078, 0.0105, 0.0125);
-        hoop(LAMP, MUZZLE_METRES + 0.0105, 0.055, 0.075, 0.0048, 0.0052);
+        hoop(LAMP, MUZZLE_METRES + 0.0105, HOOP_HALF_WIDTH_METRES, HOOP_HALF_HEIGHT_METRES, 0.0048, 0.0052);
         for (int side = -1; side <= 1; side += 2) {
             put(
                     SHELL,

@@ -69,7 +69,7 @@ final class RandomSessionInput {
     /** Shows the path-traced corner, which is slow, or takes it away. */
     String trace() {
         TracedCorner corner = editor.session().proving().corner();
-        corner.show(!corner.isShown(), SAMPLES);
-        return "traced corner " + corner.isShown();
+        corner.show(!corner.isVisible(), SAMPLES);
+        return "traced corner " + corner.isVisible();
     }
 }

@@ -62,7 +62,7 @@ final class CloudLayer implements GlObject {
     private GlProgram<Uniforms.None> composite;
 
     /** Draws it where surfaces can be among the clouds. */
-    private GlProgram<MixedUniforms> compositeMixed;
+    private GlProgram<CloudRanges.Places> compositeMixed;
 
     private View before;
     private double seconds;
@@ -82,19 +82,6 @@ final class CloudLayer implements GlObject {
             Uniforms.Vector2 halfLayer,
             Uniforms.Scalar nearestKilometres,
             Uniforms.Vector3 movedPast) {}
-
-    private record MixedUniforms(CloudRanges.Places ranges) {}
-
-    /**
-     * The cloud that may have moved farthest in a picture between two frames.
-     *
-     * @param metres from the eye to its bounds
-     */
-    record Nearest(PlacedCloud cloud, double metres) {
-        private Vec3 blown(double secondsBefore, double seconds) {
-            return cloud.source().drift(seconds).minus(cloud.source().drift(secondsBefore));
-        }
-    }
 
     /**
      * @param divisor pixels of the view along each side of one of the layer
@@ -172,9 +159,9 @@ final class CloudLayer implements GlObject {
     /**
      * Ends the layer and restores the limits of the view.
      *
-     * @param nearest that may be in the layer
+     * @param nearest cloud in the layer, the one that may have moved farthest in the picture
      */
-    void end(View view, Nearest nearest, FullScreenTriangle triangle) {
+    void end(View view, PlacedCloud nearest, FullScreenTriangle triangle) {
         if (before != null) {
             complete(view, nearest, triangle);
         }
@@ -183,7 +170,7 @@ final class CloudLayer implements GlObject {
         before = side == 1 ? null : view;
     }
 
-    private void complete(View view, Nearest nearest, FullScreenTriangle triangle) {
+    private void complete(View view, PlacedCloud nearest, FullScreenTriangle triangle) {
         if (spread == null) {
             spread = program("spread.frag", Defines.of(context), SpreadUniforms.class);
         }
@@ -200,7 +187,7 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
-    private void put(SpreadUniforms uniforms, View view, Nearest nearest) {
+    private void put(SpreadUniforms uniforms, View view, PlacedCloud nearest) {
         double across = (double) width / divisor;
         double upwards = (double) height / divisor;
         uniforms.layerStep.set(2 / across, 2 / upwards);
@@ -208,11 +195,18 @@ final class CloudLayer implements GlObject {
         uniforms.square.set(side, column(frame, side), row(frame, side));
         Vec3 moved = view.eye().minus(before.eye());
         uniforms.moved.set(moved);
-        uniforms.movedPast.set(moved.minus(nearest.blown(secondsBefore, seconds)));
-        uniforms.nearestKilometres.set(Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearest.metres() / 1000)));
+        uniforms.movedPast.set(moved.minus(blown(nearest)));
+        uniforms.nearestKilometres.set(Math.max(
+                NEAREST_KILOMETRES,
+                Math.min(SKY_KILOMETRES, nearest.bounds(seconds).nearest(view.eye()) / 1000)));
         uniforms.beforeRight.setScaled(before.right(), 1 / before.projection().tanHalfWidth());
         uniforms.beforeUp.setScaled(before.up(), 1 / before.projection().tanHalfHeight());
         uniforms.beforeForward.setScaled(before.back(), -1);
+    }
+
+    /** Returns how far the wind has carried a cloud since the frame before. */
+    private Vec3 blown(PlacedCloud cloud) {
+        return cloud.source().drift(seconds).minus(cloud.source().drift(secondsBefore));
     }
 
     private void join(FullScreenTriangle triangle) {
@@ -236,10 +230,10 @@ final class CloudLayer implements GlObject {
         gl.state().set(isMixed ? Depth.OFF : Depth.LESS_OR_EQUAL, blend, Cull.NONE);
         if (isMixed) {
             if (compositeMixed == null) {
-                compositeMixed = program("composite.frag", defines("MIXED"), MixedUniforms.class);
+                compositeMixed = program("composite.frag", defines("MIXED"), CloudRanges.Places.class);
             }
             compositeMixed.use();
-            ranges.put(compositeMixed.uniforms().ranges, view);
+            ranges.put(compositeMixed.uniforms(), view);
         } else {
             if (composite == null) {
                 composite = program("composite.frag", defines("FARTHEST"), Uniforms.None.class);

@@ -29,7 +29,7 @@ final class Impostor implements GlObject {
     private CloudPuffs boundedFrom;
     private CloudPuffs boundedTo;
     private DrawnCloud shownBefore;
-    private double shareBefore;
+    private double fractionBefore;
     private double ageing;
     private int pause;
     private double wear;
@@ -58,9 +58,9 @@ final class Impostor implements GlObject {
             boundedTo = to;
             bounds = bounds(from).union(to == from ? Aabb.EMPTY : bounds(to));
         }
-        ageing = ImpostorPicture.ageing(cells, shownBefore, shareBefore);
+        ageing = ImpostorPicture.ageing(cells, shownBefore, fractionBefore);
         shownBefore = cells.shown();
-        shareBefore = cells.share();
+        fractionBefore = cells.fraction();
     }
 
     private static Aabb bounds(CloudPuffs balls) {
@@ -124,7 +124,7 @@ final class Impostor implements GlObject {
         long texels = slabs.texels();
         makingFrames = Math.ceil((double) texels / Impostors.MOST_TEXELS);
         double drawingFrames = texels / limits.texelsDirectly(slabs, view);
-        for (int ball = 0; ball < slabs.balls().size(); ball++) {
+        for (int ball = 0; ball < slabs.puffs().size(); ball++) {
             if (slabs.texels(ball) > Impostors.MOST_TEXELS) {
                 return false;
             }

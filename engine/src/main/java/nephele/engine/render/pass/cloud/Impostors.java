@@ -169,9 +169,9 @@ public final class Impostors {
         uniforms.upload(from, 1);
         picture.bindTarget();
         gl.state().set(DrawState.Depth.OFF, DrawState.Blend.PREMULTIPLIED_OVER_PASSING, DrawState.Cull.NONE);
-        PuffSlabs.Raster raster = picture.slabs().raster();
         double plane = picture.slabs().slabs().get(slab).middle();
-        var grid = new CloudCanvas.Grid(1, 0, 0, 2.0 / raster.width(), 2.0 / raster.height(), plane, 0);
+        var grid = new CloudCanvas.Grid(
+                1, 0, 0, 2.0 / picture.slabs().width(), 2.0 / picture.slabs().height(), plane, 0);
         canvas.begin(CloudPixels.CAPTURED, from, levelClouds.current().focus(), grid);
         impostor.cloud().use(canvas);
         long texels = picture.draw(count);
@@ -216,8 +216,8 @@ public final class Impostors {
             PuffSlabs.Slab slab = slabs.slabs().get(i);
             numbers.slab.set(
                     slab.middle(),
-                    0.5 / slabs.raster().tanHalfWidth(),
-                    0.5 / slabs.raster().tanHalfHeight(),
+                    0.5 / slabs.tanHalfWidth(),
+                    0.5 / slabs.tanHalfHeight(),
                     picture.presence(impostor.placed()));
             place(numbers, slabs, slab, moved, onto.margin());
             picture.bindTextures(i);
@@ -262,7 +262,7 @@ public final class Impostors {
     double texelsDirectly(PuffSlabs slabs, View view) {
         double finest = side * divisor * pixel(view);
         double sum = 0;
-        for (Puff puff : slabs.balls()) {
+        for (Puff puff : slabs.puffs()) {
             double width =
                     2 * puff.radiusMetres() / (puff.centre().minus(slabs.eye()).length() * finest);
             sum += width * width;

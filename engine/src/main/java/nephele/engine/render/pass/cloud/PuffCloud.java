@@ -68,8 +68,8 @@ public final class PuffCloud implements CloudDrawing {
             sampledFrom = cells.shown();
             sampledTo = cells.toCome();
         }
-        if (!isSame || cells.share() != fraction) {
-            fraction = cells.share();
+        if (!isSame || cells.fraction() != fraction) {
+            fraction = cells.fraction();
             now = null;
         }
         if (impostor != null) {
@@ -113,7 +113,7 @@ public final class PuffCloud implements CloudDrawing {
             uniforms.stepping.set(1, 0.5, canvas.view().eyeY(), cells.depthAround(canvas.view()));
         } else {
             CloudOptics optics = beam.optics();
-            uniforms.beamLobes.set(optics.g(), optics.backG(), optics.backShare(), beam.fading());
+            uniforms.beamLobes.set(optics.g(), optics.backG(), optics.backFraction(), beam.fading());
         }
     }
 }

@@ -10,7 +10,6 @@ import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.AmbientLight;
@@ -70,7 +69,7 @@ final class ParticleLight {
         ofFlash = new float[3 * emitters.size()];
         lightning = context.get(FrameLightning.RESOURCE);
         for (int i = 0; i < emitters.size(); i++) {
-            skyFraction[i] = particles.surroundings().skyFraction(emitters.get(i));
+            skyFraction[i] = particles.skyFraction(i);
             ofLamps[i] = ofLamps(emitters.get(i));
         }
     }
@@ -128,9 +127,7 @@ final class ParticleLight {
     private double cloudShare(int emitter) {
         return cloudsFollowed == null
                 ? 1
-                : cloudsFollowed
-                        .clouds()
-                        .sunShare(particles.emitters().get(emitter).centre());
+                : cloudsFollowed.sun().from(particles.emitters().get(emitter).centre());
     }
 
     private static Vector3d mean(SkyIrradiance sky) {
@@ -146,8 +143,7 @@ final class ParticleLight {
     }
 
     private boolean sees(Sun sun, int emitter) {
-        EmitterSurroundings surroundings = particles.surroundings();
-        return !sun.castsShadow() || surroundings.sees(particles.emitters().get(emitter), towardsSun);
+        return !sun.castsShadow() || particles.sees(emitter, towardsSun);
     }
 
     /** Adds up light from all sides and from the sun, and finds from where more of it comes. */

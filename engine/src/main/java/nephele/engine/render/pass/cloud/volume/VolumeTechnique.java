@@ -67,7 +67,7 @@ public final class VolumeTechnique implements CloudDrawing {
         lit.follow(environment, now);
         if (noiseTextures != null) {
             noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
-            noiseTextures.show(lit.shown().plans(), lit.toCome().plans());
+            noiseTextures.show(lit.shown().boxes(), lit.toCome().boxes());
         }
     }
 
