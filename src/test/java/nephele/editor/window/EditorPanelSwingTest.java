@@ -81,6 +81,7 @@ class EditorPanelSwingTest {
                 List.of(key),
                 List.of(),
                 any -> true,
+                any -> false,
                 call -> ran.add(id),
                 EditorAction.Subject.SESSION);
     }
@@ -110,6 +111,7 @@ class EditorPanelSwingTest {
                 keys,
                 List.of(),
                 any -> true,
+                session -> session.toolEntry() == tool,
                 call -> call.session().use(tool),
                 EditorAction.Subject.SESSION);
     }
