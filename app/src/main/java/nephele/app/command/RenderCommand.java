@@ -101,8 +101,9 @@ final class RenderCommand implements Command {
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.apply(0), timeSeconds), picture);
-            reference.trace(seen, picture, out, radiance -> save(radiance, seen.opened()), terminal);
+            var viewed = reference.exposed(
+                    new ReferenceOptions.ViewedLevel(opened, viewpoint.apply(0), timeSeconds), picture);
+            reference.trace(viewed, picture, out, radiance -> save(radiance, viewed.opened()), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();

@@ -18,10 +18,10 @@ public final class MenuPanel {
     private static final double ROW_HEIGHT = 44;
     private static final double ROW_EM = 22;
     /** The most that a label takes of a row with a value. */
-    private static final double LABEL_SHARE = 0.72;
+    private static final double LABEL_FRACTION = 0.72;
 
     /** The size of a value in relation to its label's. */
-    private static final double VALUE_SHARE = 0.85;
+    private static final double VALUE_FRACTION = 0.85;
     /** The estimated mean width of a letter, in ems. */
     private static final double LETTER_EMS = 0.5;
 
@@ -87,7 +87,7 @@ public final class MenuPanel {
     /** Returns the step of a setting for a click: back (−1) on the left half of its value, forward elsewhere. */
     public int stepAt(int row, double x) {
         double width = scale
-                * VALUE_SHARE
+                * VALUE_FRACTION
                 * ROW_EM
                 * LETTER_EMS
                 * menu.entries().get(row).value().length();
@@ -213,11 +213,11 @@ public final class MenuPanel {
         double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
         var entry = menu.entries().get(row);
         var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
-        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_SHARE);
+        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_FRACTION);
         double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
         double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
-            double valueEm = VALUE_SHARE * em;
+            double valueEm = VALUE_FRACTION * em;
             double right = left() + scale * (WIDTH - PADDING);
             double room = right - end - scale * GAP;
             double width = canvas.width(valueEm, entry.value());
