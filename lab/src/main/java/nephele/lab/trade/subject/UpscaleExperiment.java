@@ -128,7 +128,8 @@ final class UpscaleExperiment implements Experiment {
                 int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
                 System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
             }
-            return ImageError.overshoot(enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
+            return ImageError.overshoot(
+                    enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
         }
 
         private byte[] stored(Shot shot, int width, int height) {
