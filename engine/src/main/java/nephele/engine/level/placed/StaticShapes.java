@@ -155,8 +155,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
                 return isSame ? known : new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
             }
         }
-        HeightMap map = maps.computeIfAbsent(
-                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
+        HeightMap map =
+                maps.computeIfAbsent(said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
         return editedGrounds(index, said, map, before, assets);
     }
 
