@@ -39,9 +39,7 @@ class LayerMapTest {
                 Arguments.of("is damaged", Arrays.copyOf(good, good.length - 20)),
                 Arguments.of("has 1 x 4 pixels", LayerMap.blank(1, 4).png()),
                 Arguments.of("claims 8194 x 2 pixels", LayerMap.blank(8194, 2).png()),
-                Arguments.of(
-                        "has 1 channels of 16 bits",
-                        new HeightMap(2, 2, 16, new short[] {1, 2, 3, 4}).png()),
+                Arguments.of("has 1 channels of 16 bits", new HeightMap(2, 2, 16, new short[] {1, 2, 3, 4}).png()),
                 Arguments.of(
                         "has 4 channels of 8 bits",
                         new TestAssets()

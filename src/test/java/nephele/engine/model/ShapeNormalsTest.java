@@ -50,8 +50,7 @@ class ShapeNormalsTest {
     private static Stream<Surface> surfaces() {
         return Stream.of(
                 new Surface("plane", n -> new PlaneShape(2, n, false), (p, n) -> new Vector3d(0, 1, 0)),
-                new Surface(
-                        "two sides", n -> new PlaneShape(2, n, true), (p, n) -> new Vector3d(0, flat(n.y), 0)),
+                new Surface("two sides", n -> new PlaneShape(2, n, true), (p, n) -> new Vector3d(0, flat(n.y), 0)),
                 new Surface("box", n -> new BoxShape(2, n), ShapeNormalsTest::ofBox),
                 new Surface("sphere", n -> new SphereShape(RADIUS, slices(n), Math.max(n, 2)), (p, n) -> p.div(RADIUS)),
                 new Surface("cone", n -> new ConeShape(RADIUS, HEIGHT, slices(n), n), ShapeNormalsTest::ofCone),

@@ -10,8 +10,8 @@ import nephele.engine.asset.LayerMap;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
-import nephele.engine.level.Terrain.Layer;
 import nephele.engine.level.Terrain;
+import nephele.engine.level.Terrain.Layer;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.math.Vec3;
@@ -146,7 +146,8 @@ class TerrainRulesTest {
     @Test
     void aLayerBeyondAllHeightsMayBePainted() {
         Terrain said = TestTerrain.said("t", "map.r16", all(), layer(60, 70, 0, 0, 90));
-        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy).file("layers.png", painted(1).png());
+        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy)
+                .file("layers.png", painted(1).png());
         assertEquals(1, problems(assets, said).size());
         assertEquals(List.of(), problems(assets, said.withLayerMap("layers.png")));
     }

@@ -150,8 +150,7 @@ public record HeightMap(int columns, int rows, int bits, short[] values) {
             throw new AssetException(
                     assetId,
                     "has " + columns + " x " + rows + " samples",
-                    "a height map has " + LEAST_SAMPLES + " to " + MOST_SAMPLES
-                            + " along each side: scale it");
+                    "a height map has " + LEAST_SAMPLES + " to " + MOST_SAMPLES + " along each side: scale it");
         }
     }
 

@@ -80,7 +80,6 @@ public final class CatmullRom {
             }
         }
         return new CatmullRom(points, Arrays.copyOf(knots, points.size()), false);
-    
     }
 
     /**

@@ -20,8 +20,8 @@ import nephele.editor.pane.Mark;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.terrain.PaintedLevel;
-import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainBrush;
+import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
@@ -136,8 +136,8 @@ class TerrainToolTest {
         session.saved(session.file().asOfNow());
         stroke(6, 10);
         assertEquals(3, level.painted().size());
-        short[] second = HeightMap.read(kept, Files.readAllBytes(folder.resolve(kept)))
-                .values();
+        short[] second =
+                HeightMap.read(kept, Files.readAllBytes(folder.resolve(kept))).values();
         session.maps().discard();
         assertEquals(Set.of(kept), level.painted().keySet());
         assertArrayEquals(second, PaintedLevel.map(level.open()).values());

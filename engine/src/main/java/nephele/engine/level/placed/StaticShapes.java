@@ -155,8 +155,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
                 return isSame ? known : new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
             }
         }
-        HeightMap map = maps.computeIfAbsent(
-                authored.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
+        HeightMap map =
+                maps.computeIfAbsent(authored.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
         return editedGrid(index, authored, map, before, assets);
     }
 

@@ -57,10 +57,7 @@ final class GltfFile {
         this.neighbour = neighbour;
         if (bytes.length > MeshLimits.MAX_GLTF_BYTES) {
             throw new ModelFileException(
-                    file,
-                    0,
-                    "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB",
-                    "make the mesh coarser");
+                    file, 0, "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB", "make the mesh coarser");
         }
         ByteBuffer data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         boolean isContainer = bytes.length >= 4 && data.getInt(0) == MAGIC;
@@ -158,9 +155,9 @@ final class GltfFile {
             throw wrong(4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
         }
         if (data.getInt(8) != data.limit()) {
-            throw wrong(8,
-                    "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has "
-                            + data.limit());
+            throw wrong(
+                    8,
+                    "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has " + data.limit());
         }
     }
 
@@ -174,8 +171,7 @@ final class GltfFile {
             throw wrong(at + 4, "the chunk is not the one expected there");
         }
         if (length < 0 || length > data.limit() - start) {
-            throw wrong(at,
-                    "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
+            throw wrong(at, "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
         }
         return Arrays.copyOfRange(data.array(), start, start + length);
     }

@@ -34,7 +34,6 @@ final class TextMeshFile {
 
     private int announcedLine;
 
-
     private NumberRows points;
     private NumberRows normals;
     private NumberRows texture;
@@ -240,8 +239,7 @@ final class TextMeshFile {
                     "correct the count, or leave it out");
         }
         if (blocks.size() == MOST_BLOCKS) {
-            throw text.error(
-                    "has more than " + MOST_BLOCKS + " blocks", "keep to the four that docs/models.md names");
+            throw text.error("has more than " + MOST_BLOCKS + " blocks", "keep to the four that docs/models.md names");
         }
         blocks.add(block);
         open = null;
