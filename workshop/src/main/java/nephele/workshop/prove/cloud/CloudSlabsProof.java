@@ -26,8 +26,8 @@ import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
 /**
- * Compares random walks through slabs with the table. Two of three slabs are homogeneous, the third has a density that varies
- * with height, which makes null collisions and changes nothing but the walk.
+ * Compares random walks through slabs with the table. Two of three slabs are homogeneous, the third has a density that
+ * varies with height, which makes null collisions and changes nothing but the walk.
  */
 public final class CloudSlabsProof implements Proof {
     private static final double MOST_SIGMAS = 4;

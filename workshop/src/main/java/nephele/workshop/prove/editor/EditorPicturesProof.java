@@ -82,7 +82,7 @@ public final class EditorPicturesProof implements Proof {
             List<String> failures = new ArrayList<>();
             events.run(() -> editor = new PicturedEditor(look)).ifPresent(failures::add);
             if (failures.isEmpty()) {
-                List<EditorScene> scenes = EditorScenes.all();
+                List<EditorScene> scenes = EditorScene.all();
                 for (EditorScene scene : scenes) {
                     List<String> cut = new ArrayList<>();
                     Optional<String> thrown = events.run(() -> cut.addAll(shown(scene)));
