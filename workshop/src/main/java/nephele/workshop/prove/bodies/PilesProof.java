@@ -76,7 +76,7 @@ public final class PilesProof implements Proof {
             double piles = soFar.value(of + "piles");
             for (Figure figure : soFar.figures()) {
                 if (figure.name().startsWith(of)) {
-                    figures.add(shown(figure, piles));
+                    figures.add(converted(figure, piles));
                 }
             }
             unsettled += judge(soFar, of + "at_rest", piles, failures);
@@ -85,13 +85,13 @@ public final class PilesProof implements Proof {
         return new ProofResult(soFar.units(), soFar.failures() + unsettled, figures, failures);
     }
 
-    private static Figure shown(Figure figure, double piles) {
+    private static Figure converted(Figure figure, double piles) {
         if (figure.name().endsWith(" cpu")) {
             double microseconds = 1e6 * figure.value() / (piles * BoxPileRun.STEPS);
             return Figure.sum(figure.name() + "_us_per_step", microseconds, "µs");
         }
-        boolean isShare = figure.join() == Figure.Join.SUM && !figure.name().endsWith(" piles");
-        return isShare ? Figure.sum(figure.name(), figure.value() / piles, "") : figure;
+        boolean isCount = figure.join() == Figure.Join.SUM && !figure.name().endsWith(" piles");
+        return isCount ? Figure.sum(figure.name(), figure.value() / piles, "") : figure;
     }
 
     /** Returns the number of piles without the property if it exceeds the limit, else 0. */

@@ -157,9 +157,9 @@ record EditorScene(String name, Making making) {
         JMenuBar bar = editor.the(JMenuBar.class);
         String title = menu.title().in(editor.look().language());
         for (int i = 0; i < bar.getMenuCount(); i++) {
-            JMenu shown = bar.getMenu(i);
-            if (shown.getText().equals(title)) {
-                JPopupMenu popup = shown.getPopupMenu();
+            JMenu each = bar.getMenu(i);
+            if (each.getText().equals(title)) {
+                JPopupMenu popup = each.getPopupMenu();
                 return fitting(editor, popup);
             }
         }
@@ -206,8 +206,8 @@ record EditorScene(String name, Making making) {
     }
 
     private static void tab(PicturedEditor editor, Class<? extends java.awt.Component> part) {
-        java.awt.Component shown = PaintedPanel.all(editor.panel(), part).get(0);
-        ((JTabbedPane) shown.getParent()).setSelectedComponent(shown);
+        java.awt.Component page = PaintedPanel.all(editor.panel(), part).get(0);
+        ((JTabbedPane) page.getParent()).setSelectedComponent(page);
     }
 
     private static void use(PicturedEditor editor, ToolEntry tool) throws Exception {

@@ -190,11 +190,11 @@ public final class EditorStallsProof implements Proof {
 
         private void paint() {
             ViewportSurface surface = editor.panel().viewport().surface();
-            Component shown = surface.component();
+            Component picture = surface.component();
             Graphics2D graphics = screen.createGraphics();
             try {
                 editor.panel().paint(graphics);
-                shown.paint(graphics);
+                picture.paint(graphics);
             } finally {
                 graphics.dispose();
             }

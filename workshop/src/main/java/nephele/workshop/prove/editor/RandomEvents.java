@@ -242,12 +242,12 @@ final class RandomEvents {
                 .get(place.index())
                 .camera()
                 .project(box.centre(), place.size())
-                .ifPresent(seen -> place(place, seen));
+                .ifPresent(projected -> place(place, projected));
     }
 
-    private void place(PaneRectangle place, PanePoint seen) {
-        double inX = seen.x() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
-        double inY = seen.y() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
+    private void place(PaneRectangle place, PanePoint projected) {
+        double inX = projected.x() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
+        double inY = projected.y() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
         if (inX >= 0 && inX < place.width() && inY >= 0 && inY < place.height()) {
             x = (int) (place.x() + inX);
             y = (int) (place.y() + inY);

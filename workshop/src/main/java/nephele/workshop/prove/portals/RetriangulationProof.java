@@ -123,9 +123,9 @@ public final class RetriangulationProof implements Proof {
             Aperture aperture = Aperture.of(PortalShape.values()[shape], 1.2 + 2 * grownMetres, 2.1 + 2 * grownMetres);
             Vec3 eye = place.world(x + eyeX, y + eyeY, 4);
             Vec3 target = place.world(x, y, 0);
-            Vec3 way = Directions.unit(target.minus(eye));
+            Vec3 direction = Directions.unit(target.minus(eye));
             return new Placement(surfaces, new Gun(aperture, 100, 0.75))
-                    .place("p", new ShotRay(eye, WallPlace.looking(way, 0)), List.of(), Obstacles.NONE);
+                    .place("p", new ShotRay(eye, WallPlace.looking(direction, 0)), List.of(), Obstacles.NONE);
         }
     }
 
