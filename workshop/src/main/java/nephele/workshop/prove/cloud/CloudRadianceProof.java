@@ -48,7 +48,8 @@ public final class CloudRadianceProof implements Proof {
      */
     private record Drawn(TableCase at, CloudTechnique technique, String setting, Quality quality, double mostPercent) {
         String name() {
-            return word(technique) + setting + ", " + at.form() + " of optical depth " + text("%.1f", at.opticalDepth());
+            return word(technique) + setting + ", " + at.form() + " of optical depth "
+                    + text("%.1f", at.opticalDepth());
         }
     }
 

@@ -60,9 +60,9 @@ public final class RoomExitsProof implements Proof {
         for (long unit = from; unit < from + count; unit++) {
             if (number != unit / EXITS_PER_ROOM) {
                 number = unit / EXITS_PER_ROOM;
-                PortalRoom.Place place = PortalRoom.of(new SplittableRandom(number));
+                PortalRoom room = PortalRoom.of(new SplittableRandom(number));
                 int rate = RATES[(int) (number % RATES.length)];
-                players = new CrossingPlayers(place, new SimSettings(rate, Assist.USUAL));
+                players = new CrossingPlayers(room, new SimSettings(rate, Assist.USUAL));
             }
             exit(players, RATES[(int) (number % RATES.length)], unit, tally);
             progress.unitsDone(unit + 1 - from);

@@ -30,9 +30,9 @@ final class SeamedClearance {
     private final PathTrace trace;
     private final Vector3d path = new Vector3d();
 
-    SeamedClearance(PortalRoom.Place place) {
-        world = place.world();
-        trace = new PathTrace(place.portals(), Obstacles.NONE);
+    SeamedClearance(PortalRoom room) {
+        world = room.world();
+        trace = new PathTrace(room.portals(), Obstacles.NONE);
     }
 
     /** Returns the depth in metres of the deepest point in a solid; 0 for none. */

@@ -10,7 +10,7 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** A Java installation and the flags that select its flags of compilation. */
+/** A Java installation and the flags of its process, which select how it compiles, or a language and a time zone. */
 public record JvmVariant(String name, Path java, List<String> flags) {
     private static final int OLDEST = 17;
 
@@ -21,13 +21,8 @@ public record JvmVariant(String name, Path java, List<String> flags) {
             List.of("-XX:-TieredCompilation", "-XX:+UseSerialGC"),
             List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu"));
 
-    /** Returns the number of variants in {@link #all()} that belong to one installation. */
-    public static int variantsPerMachine() {
-        return FLAGS.size();
-    }
-
     /**
-     * Returns every flags on the running Java first, then on one installation of each other version in the same folder.
+     * Returns variants with all flags on the running Java first, then on one installation of each other version in the same folder.
      */
     public static List<JvmVariant> all() {
         List<JvmVariant> variants = new ArrayList<>();
