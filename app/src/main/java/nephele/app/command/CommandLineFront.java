@@ -5,16 +5,23 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import nephele.app.window.Size;
 import nephele.engine.asset.FileName;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.tile.Shard;
 import nephele.engine.render.frame.Output;
+import nephele.host.compare.TechniquePair;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
@@ -84,7 +91,13 @@ public final class CommandLineFront {
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, CommandLineFront::path)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
-                .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
+                .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class))
+                .registerConverter(Vec3.class, NumberList::point)
+                .registerConverter(PlayerStart.class, NumberList::start)
+                .registerConverter(Size.class, converter(Size::parse))
+                .registerConverter(Shard.class, converter(Shard::parse))
+                .registerConverter(TechniquePair.class, converter(TechniquePair::parse));
+        command.register(commandLine);
         commandLine
                 .getCommandSpec()
                 .name("nephele " + entry.name())
@@ -97,7 +110,7 @@ public final class CommandLineFront {
                 return ExitCode.DONE;
             }
             OptionRange.check(commandLine, parsed);
-            return command.run(common.verbose ? terminal.with(Terminal.Detail.VERBOSE) : terminal);
+            return command.run(terminal.verbose(common.verbose));
         } catch (ParameterException wrongUsage) {
             terminal.err()
                     .println("nephele " + entry.name() + ": " + OptionRange.message(wrongUsage) + proposal(wrongUsage));
@@ -107,6 +120,17 @@ public final class CommandLineFront {
             var explained = Explanation.of(failure, List.of(arguments));
             return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
         }
+    }
+
+    /** @param parse throws an illegal argument with a sentence about what is wrong */
+    private static <T> ITypeConverter<T> converter(Function<String, T> parse) {
+        return text -> {
+            try {
+                return parse.apply(text);
+            } catch (IllegalArgumentException wrong) {
+                throw new TypeConversionException(wrong.getMessage());
+            }
+        };
     }
 
     private static Path path(String typed) {

@@ -84,7 +84,7 @@ final class LevelPages {
             entries.add(new Entry(title(level), best(level), new Choice.Play(level)).with(card(level, read)));
         }
         entries.add(writer.back());
-        return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, new Choice.Back());
+        return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, Choice.Plain.BACK);
     }
 
     private String best(LevelName level) {
@@ -137,7 +137,7 @@ final class LevelPages {
                     .helped(group.about().get(writer.language())));
         }
         entries.add(writer.back());
-        return writer.page("samples", writer.text(Phrase.SAMPLES), List.of(), entries, new Choice.Back());
+        return writer.page("samples", writer.text(Phrase.SAMPLES), List.of(), entries, Choice.Plain.BACK);
     }
 
     /** @param number of the group in the catalogue */
@@ -150,7 +150,7 @@ final class LevelPages {
         }
         entries.add(writer.back());
         String title = group.title().get(writer.language());
-        return writer.page("samples-" + (number + 1), title, List.of(), entries, new Choice.Back());
+        return writer.page("samples-" + (number + 1), title, List.of(), entries, Choice.Plain.BACK);
     }
 
     private static Choice choice(Sample sample) {
@@ -190,7 +190,7 @@ final class LevelPages {
         }
         entries.add(writer.back());
         String line = folder == null ? writer.text(Phrase.NO_LEVELS_FOLDER) : count(broken);
-        return writer.page("your-levels", writer.text(Phrase.YOUR_LEVELS), List.of(line), entries, new Choice.Back());
+        return writer.page("your-levels", writer.text(Phrase.YOUR_LEVELS), List.of(line), entries, Choice.Plain.BACK);
     }
 
     private String count(int broken) {

@@ -34,52 +34,54 @@ public final class GameWindow implements AutoCloseable {
         place = new WindowPlace(handle);
     }
 
-    /** The requested properties of a new window. */
-    public record Request(String title, int width, int height) {}
-
     /** Opens the window; a failure reports the system's messages (exit code 3). */
-    public static GameWindow open(Request request, InputListener input) {
-        return open(request, input, GLFW_TRUE);
+    public static GameWindow open(String title, Size size, InputListener input) {
+        return open(title, size, input, GLFW_TRUE);
     }
 
     /** Opens the window as {@link #open} does, but invisible until {@link #reveal}. */
-    public static GameWindow openHidden(Request request, InputListener input) {
-        return open(request, input, GLFW_FALSE);
+    public static GameWindow openHidden(String title, Size size, InputListener input) {
+        return open(title, size, input, GLFW_FALSE);
     }
 
-    private static GameWindow open(Request request, InputListener input, int visible) {
-        var complaints = new Complaints();
+    private static GameWindow open(String title, Size size, InputListener input, int visible) {
+        List<String> complaints = new ArrayList<>();
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
             Configuration.GLFW_LIBRARY_NAME.set("glfw_async"); // works without -XstartOnFirstThread
         }
-        glfwSetErrorCallback(complaints);
+        glfwSetErrorCallback((error, description) -> complaints.add(GLFWErrorCallback.getDescription(description)));
         if (system.contains("linux") && System.getenv("DISPLAY") != null) {
             glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
         }
         if (!glfwInit()) {
             throw SystemDisplay.unavailable(
-                    complaints.text(),
+                    reason(complaints),
                     "without a display, unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         askForCoreContext();
         glfwWindowHint(GLFW_VISIBLE, visible);
-        long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
+        long handle = glfwCreateWindow(size.width(), size.height(), title, NULL, NULL);
         if (handle == NULL) {
             glfwTerminate();
-            throw CommandFailure.environment("no window with OpenGL 4.1 core can be opened: " + complaints.text()
+            throw CommandFailure.environment("no window with OpenGL 4.1 core can be opened: " + reason(complaints)
                     + "; install a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
                     + " libgl1-mesa-dri), or unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         glfwSetWindowSizeLimits(
                 handle,
-                Math.min(LEAST_WIDTH, request.width),
-                Math.min(LEAST_HEIGHT, request.height),
+                Math.min(LEAST_WIDTH, size.width()),
+                Math.min(LEAST_HEIGHT, size.height()),
                 GLFW_DONT_CARE,
                 GLFW_DONT_CARE);
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
         return new GameWindow(handle, input);
+    }
+
+    /** @param complaints the error messages of the window system */
+    private static String reason(List<String> complaints) {
+        return complaints.isEmpty() ? "the system gives no reason" : String.join("; ", complaints);
     }
 
     private static void askForCoreContext() {
@@ -192,7 +194,7 @@ public final class GameWindow implements AutoCloseable {
      * @param size of a free window, or of the picture of a full screen; {@code null} to keep the window's, or for the
      *     screen's own
      */
-    public void become(WindowMode mode, WindowSize size) {
+    public void become(WindowMode mode, Size size) {
         place.become(mode, size);
         input.forget();
     }
@@ -211,20 +213,6 @@ public final class GameWindow implements AutoCloseable {
         var complaints = glfwSetErrorCallback(null);
         if (complaints != null) {
             complaints.free();
-        }
-    }
-
-    /** Collects the error messages of the window system. */
-    private static final class Complaints extends GLFWErrorCallback {
-        private final List<String> texts = new ArrayList<>();
-
-        @Override
-        public void invoke(int error, long description) {
-            texts.add(getDescription(description));
-        }
-
-        String text() {
-            return texts.isEmpty() ? "the system gives no reason" : String.join("; ", texts);
         }
     }
 }
