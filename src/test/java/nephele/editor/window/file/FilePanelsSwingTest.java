@@ -271,7 +271,7 @@ class FilePanelsSwingTest {
             assertTrue((before >> 16 & 255) > (before & 255) + 50, Integer.toHexString(before));
             Path asset = folder.resolve("levels").resolve("textures").resolve("seen.png");
             Files.copy(picture(0x2020d0), asset, StandardCopyOption.REPLACE_EXISTING);
-            new OutsideChanges(session, null).changed(Set.of(asset));
+            new OutsideChanges(session, question -> true, message -> {}).changed(Set.of(asset));
             int after = viewport.picture().getRGB(210, 160);
             assertTrue((after & 255) > (after >> 16 & 255) + 50, Integer.toHexString(after));
         }
