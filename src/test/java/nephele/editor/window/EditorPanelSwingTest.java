@@ -80,6 +80,7 @@ class EditorPanelSwingTest {
                 List.of(key),
                 List.of(),
                 any -> true,
+                any -> false,
                 call -> ran.add(id),
                 EditorAction.Subject.SESSION);
     }
@@ -109,6 +110,7 @@ class EditorPanelSwingTest {
                 keys,
                 List.of(),
                 any -> true,
+                session -> session.toolEntry() == tool,
                 call -> call.session().use(tool),
                 EditorAction.Subject.SESSION);
     }

@@ -128,7 +128,7 @@ class SettingsPageSwingTest {
     void theDefaultsHaveNoConflicts() {
         open(EditorSettings.DEFAULT);
         List<EditorCommand> commands = new EditorCommands(session, new ScriptInterface(() -> null), Actions.ALL).all();
-        assertEquals(List.of(), new EditorKeys(commands, Map.of()).conflicts());
+        assertEquals(Map.of(), new EditorKeys(commands, Map.of()).conflicts());
     }
 
     @Test

@@ -58,8 +58,8 @@ public final class WindowFiles implements AutoCloseable {
         journal = journals == null ? null : new SessionJournal(session, journals, this::tellSoon);
         pictures =
                 journal == null ? null : new JournalPictures(session, panel.viewport(), background, journal::picture);
-        var changes = new OutsideChanges(session, voice());
-        watch = new SessionWatch(session, changes, new SessionWatch.Threads(SwingUtilities::invokeLater, background));
+        var changes = new OutsideChanges(session, this::isMineKept, this::warn);
+        watch = new SessionWatch(session, changes, SwingUtilities::invokeLater, background);
         var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, ui::sceneUse);
         drops.accept(panel);
         drops.accept(panel.viewport().surface().component());
@@ -82,29 +82,19 @@ public final class WindowFiles implements AutoCloseable {
 
     private void tell(Words message) {
         session.status(message);
+        warn(message);
+    }
+
+    private void warn(Words message) {
         questions.warn(message.in(session.language()), session.language());
     }
 
-    /** Asks in dialogues. */
-    private OutsideChanges.Voice voice() {
-        return new OutsideChanges.Voice() {
-            @Override
-            public boolean isMineKept(Words question) {
-                Language language = session.language();
-                // A dialogue that is closed loads nothing: the user's own version is the safe answer.
-                int chosen = questions.choice(
-                        question.in(language),
-                        language,
-                        FileText.KEEP_MINE.in(language),
-                        FileText.LOAD_THEIRS.in(language));
-                return chosen != 1;
-            }
-
-            @Override
-            public void tell(Words message) {
-                questions.warn(message.in(session.language()), session.language());
-            }
-        };
+    private boolean isMineKept(Words question) {
+        Language language = session.language();
+        // A dialogue that is closed loads nothing: the user's own version is the safe answer.
+        int chosen = questions.choice(
+                question.in(language), language, FileText.KEEP_MINE.in(language), FileText.LOAD_THEIRS.in(language));
+        return chosen != 1;
     }
 
     /** Reads the journals in the background: the window does not wait for them. */

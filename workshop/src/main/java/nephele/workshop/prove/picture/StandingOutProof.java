@@ -27,7 +27,7 @@ import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.playthrough.Playthrough;
@@ -118,7 +118,7 @@ public final class StandingOutProof implements Proof {
         OpenedLevel opened = new LevelName(file).open();
         var sky = BakedSky.of(opened.placed(), done -> {});
         var scene = Scene.of(opened.placed(), sky);
-        var settings = RenderSettings.of(Outputs.defaultFor(opened.level()), Quality.MEDIUM)
+        var settings = RenderSettings.of(QualityChoice.defaultOutput(opened.level()), Quality.MEDIUM)
                 .with(CharacterPresence.POSSIBLE);
         LevelSigns signs = new LevelSigns(opened.placed());
         var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);

@@ -34,7 +34,7 @@ import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.Viewpoints;
 
 /**
@@ -100,7 +100,8 @@ final class InputTrial {
             outcome = Outcome.ACCEPTED;
             saved(level);
             PlacedLevel placed = PlacedLevel.of(level, LevelAssets.beside(file));
-            FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level))).explain();
+            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
+                    .explain();
             simulated(placed);
             if (gl != null) {
                 CloudExplanation.lines(placed);
@@ -190,7 +191,7 @@ final class InputTrial {
             state.seconds(seconds);
             double aspect = (double) WIDTH / HEIGHT;
             renderer.draw(
-                    Viewpoints.standard(placed.level(), file.toString(), aspect).view(0), state, target);
+                    Viewpoints.standard(placed.level(), file.toString(), aspect).apply(0), state, target);
             gl.requireNoError("draw");
             float[] radiance = renderer.readRadiance();
             for (int i = 0; i < radiance.length; i++) {
