@@ -27,8 +27,8 @@ import nephele.workshop.prove.proof.ProofResult;
 
 /**
  * Opens the levels that take longest to draw in the real editor and edits what their tables follow from, while another
- * thread measures how long the event dispatch thread takes to answer. Readers, tables and pictures throw on that thread, which
- * fails the proof as well.
+ * thread measures how long the event dispatch thread takes to answer. Readers, tables and pictures throw on that thread,
+ * which fails the proof as well.
  */
 public final class EditorStallsProof implements Proof {
     /**

@@ -22,7 +22,8 @@ public record JvmVariant(String name, Path java, List<String> flags) {
             List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu"));
 
     /**
-     * Returns variants with all flags on the running Java first, then on one installation of each other version in the same folder.
+     * Returns variants with all flags on the running Java first, then on one installation of each other version in the
+     * same folder.
      */
     public static List<JvmVariant> all() {
         List<JvmVariant> variants = new ArrayList<>();
