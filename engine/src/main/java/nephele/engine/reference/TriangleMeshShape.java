@@ -128,7 +128,8 @@ final class TriangleMeshShape implements TracedShape {
                 toWorld.apply(smooth).toVector(),
                 toWorld.apply(mesh.faceNormal(triangle)).toVector(),
                 toEye);
-        return MaterialTextures.covered(bare, looks.textures().skin(model.authored().material()), spot);
+        return MaterialTextures.covered(
+                bare, looks.textures().skin(model.authored().material()), spot);
     }
 
     /** A model of a field: the triangles of its kind, turned about the vertical, scaled and moved. */

@@ -68,8 +68,7 @@ final class ElementValues {
             String range = MessageText.number(least) + " to " + MessageText.number(most);
             warn(
                     element.attribute(name),
-                    MessageText.number(value) + " is not within " + range + ": taken as "
-                            + MessageText.number(within));
+                    MessageText.number(value) + " is not within " + range + ": taken as " + MessageText.number(within));
         }
         return within;
     }

@@ -103,7 +103,11 @@ public final class SolidFaces {
         planes.set(
                 index,
                 new Solid.PlaneFace(
-                        plane.normal(), plane.distanceMetres(), authored.material(), authored.portalable(), authored.texture()));
+                        plane.normal(),
+                        plane.distanceMetres(),
+                        authored.material(),
+                        authored.portalable(),
+                        authored.texture()));
         return solid.withPlanes(Collections.unmodifiableList(planes));
     }
 

@@ -78,8 +78,8 @@ public record PlantedBillboards(List<Group> groups) {
         List<Vec3> corners = new ArrayList<>();
         for (Billboards authored : level.billboards()) {
             if (!authored.blended()) {
-                double reach =
-                        Math.hypot(authored.sizeMetres().width(), authored.sizeMetres().height());
+                double reach = Math.hypot(
+                        authored.sizeMetres().width(), authored.sizeMetres().height());
                 Aabb box = authored.field() == null ? authored.listedBounds() : statics.bounds();
                 addCorners(box.grown(reach), corners);
             }

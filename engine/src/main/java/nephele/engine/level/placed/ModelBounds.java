@@ -25,7 +25,8 @@ public final class ModelBounds {
         for (PlacedModel model : models.all()) {
             if (!model.isEmpty()) {
                 Pose at = pose(model.worldFromModel());
-                bounds.all.add(new Placed(BoundedModel.of(model.authored().id(), triangles(model.triangles(), at)), at));
+                bounds.all.add(
+                        new Placed(BoundedModel.of(model.authored().id(), triangles(model.triangles(), at)), at));
             }
         }
         return bounds;

@@ -65,7 +65,9 @@ public record PlacedModels(List<PlacedModel> all) {
     /** Returns the models of an edited level; a model with the same placement and file stays the same object. */
     PlacedModels edited(Level level, AssetSource assets) {
         List<ModelPlacement> authored = all.stream().map(PlacedModel::authored).toList();
-        return IdentityDiff.list(authored, level.models()) == authored ? this : edited(level, new MeshAssets(assets)::mesh);
+        return IdentityDiff.list(authored, level.models()) == authored
+                ? this
+                : edited(level, new MeshAssets(assets)::mesh);
     }
 
     private PlacedModels edited(Level level, Function<String, Mesh> meshOf) {

@@ -51,7 +51,8 @@ public sealed interface StaticShape {
      * @param index in the level's list
      * @param painted its layer map, empty if none is seen
      */
-    record HeightGrid(int index, Terrain authored, HeightField field, Optional<LayerMap> painted) implements StaticShape {
+    record HeightGrid(int index, Terrain authored, HeightField field, Optional<LayerMap> painted)
+            implements StaticShape {
         /** Creates a terrain without painted layers. */
         public HeightGrid(int index, Terrain authored, HeightField field) {
             this(index, authored, field, Optional.empty());

@@ -152,11 +152,13 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
                 boolean isAtSamePlace = known.authored().centre().equals(authored.centre());
                 HeightField field = isAtSamePlace ? known.field() : TerrainField.moved(known.field(), authored);
                 boolean isSame = isAtSamePlace && known.index() == index && known.authored() == authored;
-                return isSame ? known : new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
+                return isSame
+                        ? known
+                        : new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
             }
         }
-        HeightMap map =
-                maps.computeIfAbsent(authored.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
+        HeightMap map = maps.computeIfAbsent(
+                authored.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
         return editedGrid(index, authored, map, before, assets);
     }
 
@@ -169,7 +171,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
                 return new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
             }
         }
-        return new StaticShape.HeightGrid(index, authored, TerrainField.of(authored, map), LayerPaint.read(authored, assets));
+        return new StaticShape.HeightGrid(
+                index, authored, TerrainField.of(authored, map), LayerPaint.read(authored, assets));
     }
 
     /** Returns the layer map of a terrain, if possible the object that it had before. */

@@ -34,7 +34,9 @@ public final class TerrainField {
                 && before.cellRows() == map.rows() - 1
                 && before.cellX() == cellX(authored, map)
                 && before.cellZ() == cellZ(authored, map);
-        return hasSameCells ? made(authored, () -> before.at(origin(authored)).edited(heights(authored, map))) : of(authored, map);
+        return hasSameCells
+                ? made(authored, () -> before.at(origin(authored)).edited(heights(authored, map)))
+                : of(authored, map);
     }
 
     private static double cellX(Terrain authored, HeightMap map) {
@@ -72,7 +74,8 @@ public final class TerrainField {
     public static void requireSize(Terrain authored, HeightMap map) {
         of(authored, new HeightMap(2, 2, map.bits(), new short[4]));
         double cell = Math.min(
-                authored.sizeMetres().x() / (map.columns() - 1), authored.sizeMetres().z() / (map.rows() - 1));
+                authored.sizeMetres().x() / (map.columns() - 1),
+                authored.sizeMetres().z() / (map.rows() - 1));
         if (cell < HeightField.LEAST_CELL_METRES) {
             throw new AssetException(
                     authored.heightMap(),
@@ -85,7 +88,10 @@ public final class TerrainField {
     /** Returns the position of the first sample for height 0. */
     static Vec3 origin(Terrain authored) {
         return authored.centre()
-                .plus(new Vec3(-authored.sizeMetres().x() / 2, 0, -authored.sizeMetres().z() / 2));
+                .plus(new Vec3(
+                        -authored.sizeMetres().x() / 2,
+                        0,
+                        -authored.sizeMetres().z() / 2));
     }
 
     /** Returns the field of a terrain that differs in its place alone from the one of {@code field}. */

@@ -101,7 +101,8 @@ final class GltfAccessors {
         if (!authored.member("type").text("").equals(use.type) || !permitted.contains(component)) {
             throw authored.error("has not the type that " + index.path() + " needs");
         }
-        boolean isNormalized = use != Use.INDICES && authored.member("normalized").flag();
+        boolean isNormalized =
+                use != Use.INDICES && authored.member("normalized").flag();
         if (use == Use.TEXCOORD_0 && component != GltfAccessor.FLOAT && !isNormalized && !isQuantized) {
             throw authored.member("normalized").error("has to be true for texture coordinates in whole numbers");
         }
@@ -123,7 +124,10 @@ final class GltfAccessors {
             throw indices.member("componentType").error("is no type of indices");
         }
         return new Sparse(
-                authored, number, elements(indices, whole, number, whole.bytes()), elements(values, format, number, bytes));
+                authored,
+                number,
+                elements(indices, whole, number, whole.bytes()),
+                elements(values, format, number, bytes));
     }
 
     /** Returns the elements that {@code authored} describes by {@code bufferView} and {@code byteOffset}. */
