@@ -18,9 +18,8 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.CloudMedia;
-import nephele.engine.reference.volume.DeltaTracking;
+import nephele.engine.reference.volume.MajorantTracking;
 import nephele.engine.reference.volume.OutsideLight;
-import nephele.engine.reference.volume.RatioTracking;
 import nephele.engine.reference.volume.VolumeTracer;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Proof;
@@ -108,7 +107,7 @@ public final class CloudLawsProof implements Proof {
                         (paths, seed) -> RandomMean.of(
                                 paths,
                                 seed,
-                                random -> DeltaTracking.collision(slab, down(mu), 0, INFINITE, random) == INFINITE
+                                random -> MajorantTracking.collision(slab, down(mu), 0, INFINITE, random) == INFINITE
                                         ? 1
                                         : 0));
                 add(
@@ -118,7 +117,7 @@ public final class CloudLawsProof implements Proof {
                         (paths, seed) -> RandomMean.of(
                                 paths,
                                 seed,
-                                random -> RatioTracking.transmittance(slab, down(mu), 0, INFINITE, random)));
+                                random -> MajorantTracking.transmittance(slab, down(mu), 0, INFINITE, random)));
             }
         }
     }
@@ -137,7 +136,7 @@ public final class CloudLawsProof implements Proof {
                     (paths, seed) -> RandomMean.of(
                             paths,
                             seed,
-                            random -> RatioTracking.transmittance(
+                            random -> MajorantTracking.transmittance(
                                     puff, beside(new Vec3(3, 4, 5), off * deviation, random), 0, INFINITE, random)));
         }
     }

@@ -7,8 +7,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.Deflection;
-import nephele.engine.reference.volume.DeltaTracking;
-import nephele.engine.reference.volume.RatioTracking;
+import nephele.engine.reference.volume.MajorantTracking;
 
 /**
  * Light of a beam on a slab that is scattered once, to an eye above it or below.
@@ -50,7 +49,9 @@ record SlabSingleScattering(ExtinctionField slab, PhaseFunction phase, double mu
     }
 
     private double sunlight(Ray ray, SplittableRandom random) {
-        double at = DeltaTracking.collision(slab, ray, 0, INFINITE, random);
-        return at == INFINITE ? 0 : RatioTracking.transmittance(slab, Ray.of(ray.at(at), sun()), 0, INFINITE, random);
+        double at = MajorantTracking.collision(slab, ray, 0, INFINITE, random);
+        return at == INFINITE
+                ? 0
+                : MajorantTracking.transmittance(slab, Ray.of(ray.at(at), sun()), 0, INFINITE, random);
     }
 }

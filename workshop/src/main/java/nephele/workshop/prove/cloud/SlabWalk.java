@@ -5,7 +5,7 @@ import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.volume.Deflection;
-import nephele.engine.reference.volume.DeltaTracking;
+import nephele.engine.reference.volume.MajorantTracking;
 
 /**
  * Walks of photons that fall on a plane-parallel slab from above. A photon has a weight, reduced by the albedo at each
@@ -66,7 +66,7 @@ final class SlabWalk {
         double weight = 1;
         while (true) {
             ray.aim(at.x(), at.y(), at.z(), direction.x(), direction.y(), direction.z());
-            double metres = DeltaTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
+            double metres = MajorantTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
             if (metres == Double.POSITIVE_INFINITY) {
                 return direction.y() > 0 ? weight : -weight;
             }
