@@ -11,7 +11,6 @@ import java.util.Locale;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
 import nephele.engine.choice.CloudColumns;
-import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
@@ -143,7 +142,7 @@ public final class LevelTable {
 
     private static Row row(Cloud cloud, CloudTechnique technique, CloudSituation at, double error, double cost) {
         return new Row(
-                CloudForm.only(cloud).word(),
+                CloudSituation.formOfOnly(cloud),
                 technique,
                 rounded(at.opticalDepth()),
                 rounded(at.angularDegrees()),
@@ -165,7 +164,7 @@ public final class LevelTable {
             views.add(View.ofCamera(camera, 0, aspect));
         }
         if (views.isEmpty()) {
-            views.add(Viewpoints.standard(level, opened.file(), aspect).view(0));
+            views.add(Viewpoints.standard(level, opened.file(), aspect).apply(0));
         }
         Environment environment = alone(level.environment()).withClouds(List.of(cloud));
         Level open = Level.of(level.name(), "", environment, level.cameras()).with(level.player(), null);

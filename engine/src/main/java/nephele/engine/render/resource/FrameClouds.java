@@ -55,8 +55,7 @@ public final class FrameClouds implements GlObject {
                 techniques);
     }
 
-    private FrameClouds(
-            Scene scene, LoadedClouds loaded, Quality quality, Function<CloudOptics, CloudLight> physics) {
+    private FrameClouds(Scene scene, LoadedClouds loaded, Quality quality, Function<CloudOptics, CloudLight> physics) {
         timeline = loaded.clouds().isEmpty()
                 ? null
                 : new CloudTimeline(

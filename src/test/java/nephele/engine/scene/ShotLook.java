@@ -1,25 +1,24 @@
 package nephele.engine.scene;
 
+import nephele.engine.scene.FrameState.ShotEffect;
+
 /** The opacity of a shot's light; the exact twin of {@code shot-look.glsl}. */
 public final class ShotLook {
-    private static final double BOLT_FLIGHT = 0.45;
-    private static final double BOLT_TAIL = 0.55;
-
     private ShotLook() {}
 
     /**
      * Returns the opacity of a bolt.
      *
-     * @param along share of the way from the gun to the surface
+     * @param along fraction of the path from the gun to the surface
      * @param across −1 to 1 over the bolt's width
-     * @param age share of its time
+     * @param age fraction of its time
      */
     public static double bolt(double along, double across, double age) {
-        double behind = (Math.min(age / BOLT_FLIGHT, 1) - along) / BOLT_TAIL;
+        double behind = (Math.min(age / ShotEffect.BOLT_FLIGHT, 1) - along) / ShotEffect.BOLT_TAIL;
         if (behind < 0) {
             return 0;
         }
-        double after = clamp((age - BOLT_FLIGHT) / (1 - BOLT_FLIGHT));
+        double after = clamp((age - ShotEffect.BOLT_FLIGHT) / (1 - ShotEffect.BOLT_FLIGHT));
         double tail = clamp(1 - behind * (1 + after));
         double narrow = 1 - across * across;
         return narrow * narrow * tail * (1 - after) * (1 - after);
@@ -29,7 +28,7 @@ public final class ShotLook {
      * Returns the opacity of a shimmer.
      *
      * @param radius 0 in the middle, 1 at the edge
-     * @param age share of its time
+     * @param age fraction of its time
      */
     public static double shimmer(double radius, double age) {
         if (radius >= 1) {
