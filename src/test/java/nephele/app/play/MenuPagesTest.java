@@ -161,13 +161,13 @@ class MenuPagesTest {
         Map<Class<?>, Integer> ways = new HashMap<>();
         for (Menu page : pages) {
             if (page.name().startsWith("samples")) {
-                assertEquals(new Choice.Back(), page.escape());
+                assertEquals(Choice.Plain.BACK, page.escape());
                 page.entries().forEach(entry -> ways.merge(entry.choice().getClass(), 1, Integer::sum));
             }
         }
         int groups = LevelCatalogue.samples().groups().size();
         assertEquals(groups, ways.get(Choice.OpenSamples.class));
-        assertEquals(groups + 1, ways.get(Choice.Back.class));
+        assertEquals(groups + 1, ways.get(Choice.Plain.class));
         assertTrue(ways.get(Choice.Show.class) >= 12, ways.toString());
         assertTrue(ways.get(Choice.Compare.class) >= 6, ways.toString());
         assertTrue(ways.get(Choice.Play.class) >= 90, ways.toString());

@@ -3,7 +3,6 @@ package nephele.app.command;
 import java.util.stream.IntStream;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.render.gl.GlContext;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
@@ -105,7 +104,7 @@ final class BenchCommand implements Command {
     private void measure(OpenedLevel opened, Terminal terminal) {
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         try (var gl = GlContext.offscreen();
-                var drawing = AssetProblems.named(opened, () -> drawing(opened, gl))) {
+                var drawing = opened.reporting(() -> drawing(opened, gl))) {
             print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
@@ -128,7 +127,7 @@ final class BenchCommand implements Command {
                 ? Viewpoints.standard(opened.level(), opened.file(), picture.aspect())
                 : Viewpoints.named(opened.level(), opened.file(), camera, picture.aspect());
         var views = IntStream.range(0, roundLength(opened))
-                .mapToObj(viewpoint::view)
+                .mapToObj(viewpoint::apply)
                 .toList();
         var renderer = picture.renderer(opened, gl, null, PrintedProgress.ofBake(System.err));
         try {

@@ -21,7 +21,6 @@ import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import nephele.lab.generate.PlantKind;
 import nephele.lab.generate.PlantKind.Family;
-import nephele.lab.generate.PlantKinds;
 import nephele.lab.generate.TerrainGenerator;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -145,9 +144,9 @@ final class GenerateCommand implements Command {
         if (words.size() != 2 || twoSided) {
             throw CommandFailure.usage(family.word() + " takes KIND, SEED and the file to write. " + help());
         }
-        PlantKind kind = PlantKinds.named(family, words.get(0))
+        PlantKind kind = PlantKind.named(family, words.get(0))
                 .orElseThrow(() -> CommandFailure.usage(words.get(0) + " is no kind of " + family.word() + ": use "
-                        + PlantKinds.words(family) + ". " + help()));
+                        + PlantKind.words(family) + ". " + help()));
         return MeshText.of(kind.grown(seed(words.get(1))));
     }
 

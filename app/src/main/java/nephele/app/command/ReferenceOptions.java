@@ -20,15 +20,12 @@ import nephele.engine.reference.tile.TiledPicture;
 import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.ResumableTrace;
 import nephele.lab.bake.TracedPictures;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
 public final class ReferenceOptions {
@@ -58,7 +55,6 @@ public final class ReferenceOptions {
     @Option(
             names = "--shard",
             paramLabel = "i/n",
-            converter = ShardConverter.class,
             description = "Trace every n-th tile of --reference only, from the i-th on, into FILE.i-of-n.part: for n"
                     + " machines.")
     private Shard shard;
@@ -124,8 +120,8 @@ public final class ReferenceOptions {
             return seen;
         }
         var eye = TracedPictures.pinhole(seen.view);
-        PlacedLevel metered = AssetProblems.named(
-                opened, () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
+        PlacedLevel metered =
+                opened.reporting(() -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
         return new Seen(opened.edited(metered), seen.view, seen.seconds);
     }
 
@@ -175,7 +171,7 @@ public final class ReferenceOptions {
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
-        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
+        var level = seen.opened.reporting(() -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = TracedPictures.pinhole(seen.view);
         var facts = TracedPictures.facts(
                 seen.opened, seen.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
@@ -196,17 +192,5 @@ public final class ReferenceOptions {
     private Path partFile(Path out) {
         String fraction = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
         return out.resolveSibling(out.getFileName() + fraction + ".part");
-    }
-
-    /** Reads {@code i/n}. */
-    public static final class ShardConverter implements ITypeConverter<Shard> {
-        @Override
-        public Shard convert(String text) {
-            try {
-                return Shard.parse(text);
-            } catch (IllegalArgumentException unusable) {
-                throw new TypeConversionException(unusable.getMessage());
-            }
-        }
     }
 }

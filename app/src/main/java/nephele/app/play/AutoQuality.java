@@ -175,19 +175,18 @@ final class AutoQuality {
             String preset = name(request.chosenQuality().preset(), language);
             return List.of(new Figure(Phrase.FIGURE_QUALITY.in(language), preset));
         }
-        var reason = controller.reason();
         List<Figure> lines = new ArrayList<>();
         lines.add(new Figure(
                 Phrase.FIGURE_QUALITY_AUTO.in(language), name(controller.point().name(), language)));
-        String slowest = String.format(Locale.ROOT, "%.0f", reason.slowestMillis());
-        String budget = String.format(Locale.ROOT, "%.0f", reason.budgetMillis());
+        String slowest = String.format(Locale.ROOT, "%.0f", controller.slowestMillis());
+        String budget = String.format(Locale.ROOT, "%.0f", controller.budgetMillis());
         lines.add(new Figure(
                 "  " + Phrase.FIGURE_SLOWEST.in(language), Phrase.FIGURE_OF_BUDGET.in(language, slowest, budget)));
-        if (reason.next() != null) {
-            lines.add(new Figure(
-                    "  " + name(reason.next().name(), language),
-                    String.format(Locale.ROOT, "%.0f ms", reason.nextMillis())));
-        }
+        controller
+                .better()
+                .ifPresent(better -> lines.add(new Figure(
+                        "  " + name(better.name(), language),
+                        String.format(Locale.ROOT, "%.0f ms", controller.betterMillis()))));
         return lines;
     }
 

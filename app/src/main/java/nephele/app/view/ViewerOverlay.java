@@ -1,5 +1,6 @@
 package nephele.app.view;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudPalette;
@@ -122,14 +123,18 @@ final class ViewerOverlay implements AutoCloseable {
         if (opacity <= 0) {
             return;
         }
-        int lines = 1 + layOut(width, (hint, x, line) -> {});
-        double top = height - 2 * PADDING - lines * LINE;
+        List<List<Hint>> lines = lines(width);
+        double top = height - 2 * PADDING - lines.size() * LINE;
         canvas.rectangle(0, top, width, height - top, HudPalette.VEIL.withAlpha(0.55 * opacity));
-        layOut(width, (hint, x, line) -> {
+        for (int line = 0; line < lines.size(); line++) {
+            double x = PADDING;
             double baseline = top + PADDING + (line + 0.7) * LINE;
-            double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), key(hint));
-            canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.phrase.in(language));
-        });
+            for (Hint hint : lines.get(line)) {
+                double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), key(hint));
+                canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.phrase.in(language));
+                x += width(hint) + GAP;
+            }
+        }
     }
 
     /**
@@ -146,23 +151,19 @@ final class ViewerOverlay implements AutoCloseable {
         canvas.text(2 * PADDING, PADDING + LINE, em, HudPalette.INK, message);
     }
 
-    private interface HintPlacing {
-        void at(Hint hint, double x, int line);
-    }
-
-    /** Lays out the hints like the words of a text. Returns the last line's number. */
-    private int layOut(double width, HintPlacing placing) {
+    /** Breaks the hints into lines like the words of a text. */
+    private List<List<Hint>> lines(double width) {
+        List<List<Hint>> lines = new ArrayList<>(List.of(new ArrayList<>()));
         double x = PADDING;
-        int line = 0;
         for (Hint hint : HINTS) {
             double hintWidth = width(hint);
             if (x > PADDING && x + hintWidth > width - PADDING) {
+                lines.add(new ArrayList<>());
                 x = PADDING;
-                line++;
             }
-            placing.at(hint, x, line);
+            lines.get(lines.size() - 1).add(hint);
             x += hintWidth + GAP;
         }
-        return line;
+        return lines;
     }
 }

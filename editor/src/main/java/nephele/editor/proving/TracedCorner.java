@@ -15,7 +15,7 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.ToneMappedPicture;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 
 /**
  * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
@@ -62,7 +62,8 @@ public final class TracedCorner {
 
         /** Returns radiance, the bottom row first, as the engine would display it. */
         static Picture picture(float[] radiance, int width, Level level) {
-            BufferedImage image = ToneMappedPicture.of(radiance, width, level.environment(), Outputs.defaultFor(level));
+            BufferedImage image =
+                    ToneMappedPicture.of(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
             byte[] rgb = new byte[3 * width * image.getHeight()];
             for (int i = 0; i < width * image.getHeight(); i++) {
                 int colour = image.getRGB(i % width, i / width);

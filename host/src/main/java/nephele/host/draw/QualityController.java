@@ -1,6 +1,7 @@
 package nephele.host.draw;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
@@ -230,21 +231,23 @@ public final class QualityController {
         return sorted[(int) Math.round(share * (size - 1))];
     }
 
-    /**
-     * The reason for a choice.
-     *
-     * @param slowestMillis cost that nearly all of the last frames stay below; 0 before any was measured
-     * @param next the next better point; {@code null} if there is none
-     * @param nextMillis what it would be there
-     */
-    public record Reason(double slowestMillis, double budgetMillis, QualityFront.Point next, double nextMillis) {}
+    /** Returns the cost that nearly all of the last frames stay below, ms; 0 before any was measured. */
+    public double slowestMillis() {
+        return counted() <= 0 ? 0 : quantile(USUALLY);
+    }
 
-    /** Returns the reason for the current choice. */
-    public Reason reason() {
-        double slowest = counted() <= 0 ? 0 : quantile(USUALLY);
-        if (point + 1 == front.points().size()) {
-            return new Reason(slowest, budgetMillis, null, 0);
-        }
-        return new Reason(slowest, budgetMillis, front.points().get(point + 1), predicted(slowest, point + 1));
+    /** Returns the greatest time of a frame, ms. */
+    public double budgetMillis() {
+        return budgetMillis;
+    }
+
+    /** Returns the next better point; empty if there is none. */
+    public Optional<QualityFront.Point> better() {
+        return point + 1 < front.points().size() ? Optional.of(front.points().get(point + 1)) : Optional.empty();
+    }
+
+    /** Returns what {@link #slowestMillis} would be at the next better point. */
+    public double betterMillis() {
+        return predicted(slowestMillis(), point + 1);
     }
 }

@@ -23,7 +23,6 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 
 /**
@@ -51,8 +50,7 @@ public final class SkyboxTrace {
         lit = Daylight.lit(opened.level()).environment();
         // No surface needs the sky's irradiance, which is integrated unless the ambient light is a constant.
         Level alone = Level.of("", "", lit.withFog((Environment.Fog) null).withAmbient(Vec3.ZERO), List.of());
-        sky = AssetProblems.named(
-                opened, () -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
+        sky = opened.reporting(() -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
     }
 
     public boolean hasClouds() {

@@ -63,7 +63,7 @@ public final class CloudPages {
     public static void write(Path folder, int width, int height, PrintStream tell) throws IOException {
         try (var pictures = new PagePictures(folder.resolve("pictures"), width, height, tell)) {
             for (CloudTechnique technique : TechniqueText.ALL) {
-                String page = new HandoutPage(TechniqueText.of(technique), pictures).html();
+                String page = new HandoutPage(TechniqueText.of(technique), pictures::address).html();
                 AtomicFile.write(folder.resolve(HandoutPage.file(technique)), page.getBytes(StandardCharsets.UTF_8));
             }
         }

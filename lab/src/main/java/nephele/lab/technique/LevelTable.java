@@ -164,7 +164,7 @@ public final class LevelTable {
             views.add(View.ofCamera(camera, 0, aspect));
         }
         if (views.isEmpty()) {
-            views.add(Viewpoints.standard(level, opened.file(), aspect).view(0));
+            views.add(Viewpoints.standard(level, opened.file(), aspect).apply(0));
         }
         Environment environment = alone(level.environment()).withClouds(List.of(cloud));
         Level open = Level.of(level.name(), "", environment, level.cameras()).with(level.player(), null);

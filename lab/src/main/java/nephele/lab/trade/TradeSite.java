@@ -17,7 +17,6 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -112,7 +111,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public Scene scene(Level level) {
-        return AssetProblems.named(opened, () -> {
+        return opened.reporting(() -> {
             var placed = opened.placed().edited(level);
             return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
         });
@@ -131,10 +130,8 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {
-        var level = AssetProblems.named(
-                opened,
-                () -> TracedLevel.of(
-                        TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
+        var level = opened.reporting(() -> TracedLevel.of(
+                TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
         return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 

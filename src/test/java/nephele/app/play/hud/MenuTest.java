@@ -19,7 +19,7 @@ class MenuTest {
         for (int i = 0; i < entries; i++) {
             all.add(new Entry("entry " + i, "value", new Choice.Step(Settings.FIELD_OF_VIEW, 1)));
         }
-        all.add(new Entry("quit", new Choice.Quit()));
+        all.add(new Entry("quit", Choice.Plain.QUIT));
         return new Menu("m", "Menu", List.of("a line"), all, 0, 0, null, "foot");
     }
 

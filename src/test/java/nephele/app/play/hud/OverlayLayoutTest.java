@@ -21,7 +21,6 @@ import nephele.engine.scene.ShotPalette;
 import nephele.host.compare.Wipe;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.parallel.Execution;
@@ -166,7 +165,7 @@ class OverlayLayoutTest {
     }
 
     private static Half half() {
-        return new Half(Portal.NONE, Shot.REFUSED, 0);
+        return new Half(false, Shot.REFUSED, 0);
     }
 
     private static List<Figure> figures(int count) {

@@ -147,9 +147,9 @@ class TerrainToolTest {
     @Test
     void aPreviewIsNeverAFile() {
         session.drag().press(at(0, 0));
-        HeightMap shown = PaintedLevel.map(session);
+        HeightMap visible = PaintedLevel.map(session);
         byte[] asked = session.assets().bytes(map());
-        assertArrayEquals(shown.values(), HeightMapFile.read(map(), asked).values());
+        assertArrayEquals(visible.values(), HeightMapFile.read(map(), asked).values());
         assertTrue(session.assets().exists(map()));
         session.drag().cancel();
     }

@@ -145,15 +145,15 @@ class FilePanelsSwingTest {
         RecoveryList lost = new RecoveryList(journal, journal.lost(), NOW, ZoneOffset.UTC);
         RecoveryPanel panel = recovery(lost, language);
         BufferedImage picture = painted(panel, "recovery-" + theme + "-" + percent + "-" + language);
-        JLabel shown = named(panel, "picture", JLabel.class);
-        Point middle = new Point(shown.getWidth() / 2, shown.getHeight() / 2);
-        Point at = javax.swing.SwingUtilities.convertPoint(shown, middle, panel);
+        JLabel label = named(panel, "picture", JLabel.class);
+        Point middle = new Point(label.getWidth() / 2, label.getHeight() / 2);
+        Point at = javax.swing.SwingUtilities.convertPoint(label, middle, panel);
         assertEquals(0xc04020, picture.getRGB(at.x, at.y) & 0xffffff, "the picture of the newest is shown");
         assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
-        assertTrue(shown.getAccessibleContext().getAccessibleName().contains("a room.json"));
+        assertTrue(label.getAccessibleContext().getAccessibleName().contains("a room.json"));
         ((JList<?>) panel.rows()).setSelectedIndex(1);
         painted(panel, "recovery-plan-" + theme + "-" + percent + "-" + language);
-        assertTrue(shown.getIcon() != null, "a plan where there is no picture");
+        assertTrue(label.getIcon() != null, "a plan where there is no picture");
         journal.close();
     }
 
@@ -294,9 +294,9 @@ class FilePanelsSwingTest {
             session.document().cancelDrag();
             pictures.take();
         }
-        BufferedImage shown = ImageIO.read(new java.io.ByteArrayInputStream(kept.get(0)));
-        assertTrue(shown.getWidth() <= 320 && shown.getHeight() == 200, shown.toString());
-        int middle = shown.getRGB(shown.getWidth() / 2 + 5, 105);
+        BufferedImage picture = ImageIO.read(new java.io.ByteArrayInputStream(kept.get(0)));
+        assertTrue(picture.getWidth() <= 320 && picture.getHeight() == 200, picture.toString());
+        int middle = picture.getRGB(picture.getWidth() / 2 + 5, 105);
         assertTrue((middle >> 16 & 255) > (middle & 255) + 50, Integer.toHexString(middle));
     }
 }

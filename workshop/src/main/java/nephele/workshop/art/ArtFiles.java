@@ -19,7 +19,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.model.file.MeshText;
 import nephele.lab.generate.PlantKind;
-import nephele.lab.generate.PlantKinds;
 import nephele.lab.generate.PlantPaint;
 import nephele.lab.generate.TerrainGenerator;
 import nephele.workshop.art.bench.BenchLevels;
@@ -166,7 +165,7 @@ public final class ArtFiles {
     /** Returns the meshes by asset id. */
     public static Map<String, byte[]> plants() {
         Map<String, byte[]> files = new LinkedHashMap<>();
-        for (PlantKind kind : PlantKinds.ALL) {
+        for (PlantKind kind : PlantKind.all()) {
             files.put(PLANT_FOLDER + "/" + kind.word() + ".3d", MeshText.of(kind.grown(PLANT_SEED)));
         }
         return files;

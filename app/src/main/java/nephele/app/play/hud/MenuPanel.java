@@ -1,6 +1,5 @@
 package nephele.app.play.hud;
 
-import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
@@ -31,7 +30,6 @@ public final class MenuPanel {
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
     private static final double LEAST_FOOT_EM = 10;
-    private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
     /** The height for the lines of a message: from the entries to the panel's edge, less what hangs below a line. */
@@ -168,25 +166,11 @@ public final class MenuPanel {
                 em--;
                 lines = TextLines.of(canvas, em, width, text);
             }
-            return new Foot(cut(canvas, em, width, lines), em, em);
+            return new Foot(TextLines.first(canvas, em, width, lines, mostLines(em)), em, em);
         }
 
         private static int mostLines(double em) {
             return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
-        }
-
-        private static List<String> cut(OverlayCanvas canvas, double em, double width, List<String> whole) {
-            int most = mostLines(em);
-            if (whole.size() <= most) {
-                return whole;
-            }
-            List<String> shown = new ArrayList<>(whole.subList(0, most));
-            String last = shown.get(most - 1);
-            while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
-                last = last.substring(0, last.length() - 1);
-            }
-            shown.set(most - 1, last + CUT);
-            return shown;
         }
     }
 

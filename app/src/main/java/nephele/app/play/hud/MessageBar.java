@@ -22,7 +22,6 @@ final class MessageBar {
     private static final double LEAST_OF_LONG = 0.6;
 
     private static final double STEP = 0.9;
-    private static final String CUT = " …";
 
     private final OverlayCanvas canvas;
     private final Area area;
@@ -73,16 +72,7 @@ final class MessageBar {
         while (fitting > 1 && !fits(scale, fitting)) {
             fitting--;
         }
-        if (fitting == whole.size()) {
-            return whole;
-        }
-        List<String> shown = new ArrayList<>(whole.subList(0, fitting));
-        String last = shown.get(fitting - 1);
-        while (!last.isEmpty() && canvas.width(scale * EM, last + CUT) > width(scale)) {
-            last = last.substring(0, last.length() - 1);
-        }
-        shown.set(fitting - 1, last + CUT);
-        return shown;
+        return TextLines.first(canvas, scale * EM, width(scale), whole, fitting);
     }
 
     private double bottom() {

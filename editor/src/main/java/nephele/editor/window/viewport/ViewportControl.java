@@ -26,7 +26,6 @@ import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -103,18 +102,8 @@ final class ViewportControl extends MouseAdapter {
                 place.size(),
                 pixels(event.getX()) - place.x(),
                 pixels(event.getY()) - place.y(),
-                button(event),
                 modifiers(event),
                 event.getClickCount());
-    }
-
-    private static Button button(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event)) {
-            return Button.PRIMARY;
-        } else if (SwingUtilities.isRightMouseButton(event)) {
-            return Button.SECONDARY;
-        }
-        return SwingUtilities.isMiddleMouseButton(event) ? Button.MIDDLE : Button.NONE;
     }
 
     private static Set<Modifier> modifiers(MouseEvent event) {
@@ -174,7 +163,7 @@ final class ViewportControl extends MouseAdapter {
             session.drag().press(pointer);
             report(pointer);
         } else {
-            boolean pans = pointer.isPlan() || pointer.button() == Button.MIDDLE;
+            boolean pans = pointer.isPlan() || SwingUtilities.isMiddleMouseButton(event);
             motion = pans ? Motion.PAN : pointer.isHeld(Modifier.ALT) ? Motion.ORBIT : Motion.LOOK;
             grabbed = grabbed(pointer);
             paneSize = pointer.size();

@@ -33,11 +33,7 @@ public final class LightCells {
      * @param others clouds that shade it
      * @param divisor number of cells of density along each edge of a cell in which it is found
      */
-    public record Around(Vec3 towardsSun, List<ShadingCloud> others, int divisor) {
-        public static Around sun(Vec3 towardsSun) {
-            return new Around(towardsSun, List.of(), DIVISOR);
-        }
-    }
+    public record Around(Vec3 towardsSun, List<ShadingCloud> others, int divisor) {}
 
     /**
      * Computes the light in a box of a cloud on all processors.

@@ -100,11 +100,9 @@ public record PlantedBillboards(List<Group> groups) {
      */
     public static PlantedBillboards of(Level level, StaticShapes statics, AssetSource assets) {
         List<Group> groups = new ArrayList<>();
-        var grounds = new FieldGrounds(statics);
+        var planting = new FieldPlanting(statics);
         for (Billboards said : level.billboards()) {
-            List<Vec3> feet = said.field() == null
-                    ? said.at()
-                    : BillboardField.plant(said.field(), grounds.of(said.field()), assets);
+            List<Vec3> feet = said.field() == null ? said.at() : planting.plant(said.field(), assets);
             groups.add(new Group(said, feet));
         }
         return new PlantedBillboards(groups);

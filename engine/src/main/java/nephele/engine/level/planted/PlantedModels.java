@@ -11,8 +11,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.level.billboard.BillboardField;
-import nephele.engine.level.billboard.FieldGrounds;
+import nephele.engine.level.billboard.FieldPlanting;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -100,7 +99,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         List<Plant> plants = new ArrayList<>();
         Map<Kind, Integer> kinds = new HashMap<>();
         List<Kind> inOrder = new ArrayList<>();
-        FieldGrounds grounds = new FieldGrounds(statics);
+        FieldPlanting planting = new FieldPlanting(statics);
         for (PlacedModel model : statics.models().all()) {
             ModelPlacement said = model.said();
             if (!said.impostor()) {
@@ -116,7 +115,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
                 plants.add(new Plant(kind, model.index(), alone.foot(), alone.turn(), alone.scale()));
             } else {
                 SeededNoise noise = new SeededNoise(said.id().hashCode());
-                List<Vec3> feet = BillboardField.plant(said.field(), grounds.of(said.field()), assets);
+                List<Vec3> feet = planting.plant(said.field(), assets);
                 for (int i = 0; i < feet.size(); i++) {
                     double scale = 1 - said.heightVariation() * noise.unit(i, SIZE, 0);
                     double turn = TURN_RADIANS * noise.unit(i, TURN, 0);

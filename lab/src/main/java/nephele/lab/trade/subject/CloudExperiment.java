@@ -104,10 +104,10 @@ final class CloudExperiment implements Experiment {
             rays = new CloudRays(site.placed(), site.view());
         }
         Quality quality = shot.settings(site.gl().limits().software()).quality();
-        CloudRays.Marched marched = rays.marched(quality.cloudStep());
+        rays.march(quality.cloudStep());
         double fraction = quality.cloudResolution() / quality.cloudHistory().side();
-        figures.add(marched.transmittanceError());
-        figures.add(fraction * fraction * marched.evaluations());
+        figures.add(rays.transmittanceError());
+        figures.add(fraction * fraction * rays.evaluations());
     }
 
     /** Returns the bytes of textures that a renderer has less if the level has no clouds. */

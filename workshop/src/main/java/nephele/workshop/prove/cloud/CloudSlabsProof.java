@@ -1,6 +1,12 @@
 package nephele.workshop.prove.cloud;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
@@ -13,6 +19,7 @@ import nephele.engine.cloud.field.GridField;
 import nephele.engine.cloud.field.UniformField;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Hash64;
+import nephele.engine.measure.RandomMean;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -55,19 +62,18 @@ public final class CloudSlabsProof implements Proof {
     ProofResult compared(int number) {
         SlabRow row = rows.get(number);
         var checks = new Checks(row);
-        var beam = fluxes(number, number, row, row.mu0(), row.reflected(), row.transmitted());
-        checks.add("R", beam.reflected(), beam.reflectedError(), row.reflected());
-        checks.add("T", beam.transmitted(), beam.transmittedError(), row.transmitted());
-        var diffuse = fluxes(number, ~number, row, SlabWalk.DIFFUSE, row.diffuseReflected(), row.diffuseTransmitted());
-        checks.add("diffuse R", diffuse.reflected(), diffuse.reflectedError(), row.diffuseReflected());
-        checks.add("diffuse T", diffuse.transmitted(), diffuse.transmittedError(), row.diffuseTransmitted());
+        var beam = walk(number, number, row, row.mu0(), row.reflected(), row.transmitted());
+        checks.add("R", beam.reflected(), row.reflected());
+        checks.add("T", beam.transmitted(), row.transmitted());
+        var diffuse = walk(number, ~number, row, SlabWalk.DIFFUSE, row.diffuseReflected(), row.diffuseTransmitted());
+        checks.add("diffuse R", diffuse.reflected(), row.diffuseReflected());
+        checks.add("diffuse T", diffuse.transmitted(), row.diffuseTransmitted());
         return checks.result();
     }
 
-    private static SlabWalk.Fluxes fluxes(
-            int number, long seed, SlabRow row, double mu0, double reflected, double transmitted) {
+    private static SlabWalk walk(int number, long seed, SlabRow row, double mu0, double reflected, double transmitted) {
         var medium = new CloudMedium(field(number, row.depth()), row.albedo(), new HenyeyGreenstein(row.g()));
-        return new SlabWalk(medium, Hash64.combine(16, seed)).walk(mu0, Math.max(paths(reflected), paths(transmitted)));
+        return new SlabWalk(medium, Hash64.combine(16, seed), mu0, Math.max(paths(reflected), paths(transmitted)));
     }
 
     static ExtinctionField field(int number, double depth) {
@@ -85,7 +91,7 @@ public final class CloudSlabsProof implements Proof {
         return GridField.repeated(grid, tile, depth / THICKNESS_METRES * GRADED.length / sum);
     }
 
-    /** Returns the paths after which the standard error of a share is within its limit, with a tenth to spare. */
+    /** Returns the paths after which the standard error of a fraction is within its limit, with a tenth to spare. */
     private static long paths(double fraction) {
         double most = mostError(fraction);
         return (long) Math.max(10_000, 1.1 * fraction * (1 - fraction) / (most * most));
@@ -106,13 +112,19 @@ public final class CloudSlabsProof implements Proof {
             this.row = row;
         }
 
-        void add(String name, double mean, double error, double reference) {
-            double sigmas = (mean - reference) / Math.max(error, 1e-5);
+        void add(String name, RandomMean mean, double reference) {
+            double sigmas = (mean.value() - reference) / Math.max(mean.error(), 1e-5);
             squares += sigmas * sigmas;
             greatest = Math.max(greatest, Math.abs(sigmas));
-            if (!(Math.abs(sigmas) <= MOST_SIGMAS) || error > mostError(reference)) {
+            if (!(Math.abs(sigmas) <= MOST_SIGMAS) || mean.error() > mostError(reference)) {
                 failures.add(String.format(
-                        Locale.ROOT, "%s: %s %.6f, not %.6f, error %.1e", row, name, mean, reference, error));
+                        Locale.ROOT,
+                        "%s: %s %.6f, not %.6f, error %.1e",
+                        row,
+                        name,
+                        mean.value(),
+                        reference,
+                        mean.error()));
             }
         }
 
@@ -123,6 +135,46 @@ public final class CloudSlabsProof implements Proof {
                     Figure.sum("fluxes", 4, ""),
                     Figure.greatest("farthest from the table", greatest, "standard errors"),
                     Figure.sum("sum of squared distances", squares, "of a standard error"));
+        }
+    }
+
+    /**
+     * The fluxes of a homogeneous slab with Henyey-Greenstein phase function, as fractions of the incident flux. Computed by
+     * adding-doubling and rounded to 1e-6.
+     *
+     * @param depth optical depth along the normal
+     * @param mu0 cosine of the angle between beam and normal
+     * @param reflected of a parallel beam
+     * @param transmitted of a parallel beam, with what is not scattered
+     * @param diffuseReflected of isotropic incident radiance
+     * @param diffuseTransmitted likewise
+     */
+    private record SlabRow(
+            double albedo,
+            double g,
+            double depth,
+            double mu0,
+            double reflected,
+            double transmitted,
+            double diffuseReflected,
+            double diffuseTransmitted) {
+        private static final String FILE = "slab_truth.csv";
+
+        /** Reads all rows of the table. */
+        static List<SlabRow> all() {
+            try (var in = SlabRow.class.getResourceAsStream(FILE);
+                    var lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.US_ASCII))) {
+                return lines.lines().skip(1).map(SlabRow::parsed).toList();
+            } catch (IOException problem) {
+                throw new UncheckedIOException(FILE, problem);
+            }
+        }
+
+        private static SlabRow parsed(String line) {
+            double[] n = Arrays.stream(line.split(","))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+            return new SlabRow(n[0], n[1], n[2], n[3], n[4], n[5], n[7], n[8]);
         }
     }
 }

@@ -4,6 +4,7 @@ import java.util.SplittableRandom;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.Deflection;
 import nephele.engine.reference.volume.MajorantTracking;
 
@@ -22,21 +23,17 @@ final class SlabWalk {
     private final CloudMedium medium;
     private final SplittableRandom random;
     private final Ray ray = Ray.reusable();
-
-    SlabWalk(CloudMedium medium, long seed) {
-        this.medium = medium;
-        random = new SplittableRandom(seed);
-    }
-
-    /** The means of two shares of the incident flux, with their standard errors. */
-    record Fluxes(double reflected, double reflectedError, double transmitted, double transmittedError) {}
+    private final RandomMean reflected;
+    private final RandomMean transmitted;
 
     /**
-     * Follows photons and returns the shares that leave above and below.
+     * Follows photons.
      *
      * @param mu0 cosine of the incident angle, or {@link #DIFFUSE}
      */
-    Fluxes walk(double mu0, long paths) {
+    SlabWalk(CloudMedium medium, long seed, double mu0, long paths) {
+        this.medium = medium;
+        random = new SplittableRandom(seed);
         double up = 0;
         double upSquared = 0;
         double down = 0;
@@ -51,7 +48,18 @@ final class SlabWalk {
                 downSquared += left * left;
             }
         }
-        return new Fluxes(up / paths, error(up, upSquared, paths), down / paths, error(down, downSquared, paths));
+        reflected = new RandomMean(up / paths, error(up, upSquared, paths));
+        transmitted = new RandomMean(down / paths, error(down, downSquared, paths));
+    }
+
+    /** Returns the fraction of the incident flux that leaves above. */
+    RandomMean reflected() {
+        return reflected;
+    }
+
+    /** Returns the fraction of the incident flux that leaves below. */
+    RandomMean transmitted() {
+        return transmitted;
     }
 
     private static double error(double sum, double squared, long paths) {

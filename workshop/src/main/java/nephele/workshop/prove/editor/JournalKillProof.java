@@ -100,8 +100,7 @@ public final class JournalKillProof implements Proof {
 
     /** Runs a session and kills it; returns the moment before the kill. */
     private long session(Path folder, SplittableRandom random, Printed printed) throws Exception {
-        try (var child = KillableProcess.start(
-                        KillableProcess.Errors.IN_OUTPUT, EditingSession.class, folder.toString());
+        try (var child = KillableProcess.startWithErrors(EditingSession.class, folder.toString());
                 var lines = new BufferedReader(new InputStreamReader(child.output(), StandardCharsets.UTF_8))) {
             printed.line(String.valueOf(lines.readLine()));
             long end = System.nanoTime() + (long) (random.nextDouble() * longestSeconds * 1e9);

@@ -11,10 +11,10 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
 @Execution(ExecutionMode.CONCURRENT)
-class OwnCommandLineTest {
+class EditProcessesTest {
     @Test
     void itStartsThisJavaWithTheseClasses() {
-        var words = OwnCommandLine.waitingGame(Path.of("levels", "01-courtyard.json"));
+        var words = EditCommand.waitingGame(Path.of("levels", "01-courtyard.json"));
         assertTrue(Files.isExecutable(Path.of(words.get(0))), words.get(0));
         assertTrue(words.contains(System.getProperty("java.class.path")));
         assertEquals(words.indexOf("play"), words.indexOf(Main.class.getName()) + 1);
@@ -24,6 +24,6 @@ class OwnCommandLineTest {
 
     @Test
     void aLevelThatIsNotSavedIsNotNamed() {
-        assertEquals(OwnCommandLine.waitingGame(null), OwnCommandLine.waitingGame(Path.of("levels", "none.json")));
+        assertEquals(EditCommand.waitingGame(null), EditCommand.waitingGame(Path.of("levels", "none.json")));
     }
 }

@@ -17,7 +17,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 /** Directions read the right texels of a skybox: adjacent faces join, and a cross equals the unfolded faces. */
-class SkyboxFacesTest {
+class SkyboxPicturesTest {
+    private static final double[] LINEAR = ColourDecoding.SRGB.table();
     private static final List<String> FILES = Stream.of("px", "nx", "py", "ny", "pz", "nz")
             .map(face -> "textures/sky-bay-" + face + ".png")
             .toList();
@@ -25,8 +26,7 @@ class SkyboxFacesTest {
     /** A continuous sky has no step at any of the twelve edges; a mirrored or rotated face would make one. */
     @Test
     void theSkyOverTheBayIsContinuousAcrossAllEdges() {
-        SkyboxFaces sky = SkyboxFaces.of(
-                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, ColourDecoding.SRGB);
+        SkyboxPictures sky = SkyboxPictures.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
         for (int edge = 0; edge < 12; edge++) {
             double sum = 0;
             for (int i = 0; i < 100; i++) {
@@ -42,20 +42,16 @@ class SkyboxFacesTest {
     void anotherNumberOfFilesIsRefused() {
         for (SkyboxLayout layout : SkyboxLayout.values()) {
             Sky.Skybox sky = new Sky.Skybox(layout, List.of());
-            assertThrows(
-                    IllegalArgumentException.class,
-                    () -> SkyboxFaces.of(sky, SkyboxFacesTest::picture, ColourDecoding.SRGB));
+            assertThrows(IllegalArgumentException.class, () -> SkyboxPictures.of(sky, SkyboxPicturesTest::picture));
         }
     }
 
     @Test
     void aCrossIsTheFacesUnfolded() {
-        SkyboxFaces faces = SkyboxFaces.of(
-                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, ColourDecoding.SRGB);
-        SkyboxFaces cross = SkyboxFaces.of(
-                new Sky.Skybox(SkyboxLayout.CROSS, List.of("textures/sky-bay-cross.png")),
-                SkyboxFacesTest::picture,
-                ColourDecoding.SRGB);
+        SkyboxPictures faces =
+                SkyboxPictures.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxPicturesTest::picture);
+        SkyboxPictures cross = SkyboxPictures.of(
+                new Sky.Skybox(SkyboxLayout.CROSS, List.of("textures/sky-bay-cross.png")), SkyboxPicturesTest::picture);
         double sum = 0;
         for (int i = 0; i < 500; i++) {
             double y = 1 - (i + 0.5) / 250;
@@ -80,8 +76,8 @@ class SkyboxFacesTest {
         return new Vector3d(v[0], v[1], v[2]);
     }
 
-    private static Vector3d at(SkyboxFaces sky, Vector3d direction) {
-        return sky.radiance(direction.x, direction.y, direction.z);
+    private static Vector3d at(SkyboxPictures sky, Vector3d direction) {
+        return sky.radiance(LINEAR, direction.x, direction.y, direction.z);
     }
 
     private static Picture picture(String id) {

@@ -16,14 +16,16 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 import org.junit.jupiter.api.Test;
 
-class BillboardFieldTest {
+class FieldPlantingTest {
     private static Solid box(String id, Vec3 centre, Vec3 size) {
         return new Solid.Box(id, null, false, TextureMapping.FACE, centre, size, Map.of());
     }
 
-    private static Ground ground() {
+    private static FieldPlanting.Ground ground() {
         Level level = new TestLevel()
                 .solid(box("floor", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20)))
                 .solid(box("block", new Vec3(5, 1, 5), new Vec3(4, 2, 4)))
@@ -37,7 +39,7 @@ class BillboardFieldTest {
                         BoxFace.PLUS_X,
                         Map.of()))
                 .level();
-        return new FieldGrounds.SurfaceGround(StaticShapes.of(level));
+        return new FieldPlanting.SurfaceGround(StaticShapes.of(level));
     }
 
     private static Billboards.Field field(int count, double maxSlope, Billboards.HeightLimits heights) {
@@ -45,7 +47,7 @@ class BillboardFieldTest {
     }
 
     private static List<Vec3> plant(Billboards.Field field) {
-        return BillboardField.plant(field, ground(), NoFiles.AT_ALL);
+        return FieldPlanting.plant(field, ground(), NoFiles.AT_ALL);
     }
 
     @Test
@@ -61,12 +63,13 @@ class BillboardFieldTest {
                         + 0.2,
                 1e-12);
         assertNull(ground().at(11, 0));
-        assertEquals(new Ground.Area(-10, -10, 10, 10), ground().area());
+        assertEquals(-10, ground().bounds().minX());
+        assertEquals(10, ground().bounds().maxZ());
     }
 
     @Test
     void everyPlaceIsOnTheGround() {
-        Ground ground = ground();
+        FieldPlanting.Ground ground = ground();
         List<Vec3> places = plant(field(300, 90, null));
         assertEquals(300, places.size());
         places.forEach(p -> assertEquals(ground.at(p.x(), p.z()).at().y(), p.y(), 1e-12));
@@ -100,6 +103,30 @@ class BillboardFieldTest {
     }
 
     private static List<Vec3> plant(String map, TestAssets maps) {
-        return BillboardField.plant(new Billboards.Field(null, 4, 50, 0.6, map, 90, null), ground(), maps);
+        return FieldPlanting.plant(new Billboards.Field(null, 4, 50, 0.6, map, 90, null), ground(), maps);
+    }
+
+    /** A roof of 30 degrees: its ridge runs along z at x = 8. */
+    private static final HeightField ROOF = HeightField.of(
+            new Vec3(-2, 3, 4), 1, 21, 11, (column, row) -> (10 - Math.abs(column - 10)) * Math.tan(Math.PI / 6));
+
+    @Test
+    void billboardsOfATerrainStandOnItsTriangles() {
+        var field = new Billboards.Field("roof", 1, 40, 0.8, null, 90, null);
+        List<Vec3> feet = FieldPlanting.plant(field, new FieldPlanting.TerrainGround(ROOF), null);
+        assertEquals(40, feet.size());
+        for (Vec3 foot : feet) {
+            assertEquals(HeightFieldSurface.y(ROOF, foot.x(), foot.z()), foot.y(), 1e-9);
+        }
+    }
+
+    @Test
+    void besideTheTerrainAndOnItsSlopesIsNoGround() {
+        var ground = new FieldPlanting.TerrainGround(ROOF);
+        assertNull(ground.at(-2.1, 5));
+        assertEquals(Math.cos(Math.PI / 6), ground.at(3.3, 9.2).normal().y(), 1e-6);
+        var flat = new Billboards.Field("roof", 1, 40, 0.8, null, 20, null);
+        List<Vec3> feet = FieldPlanting.plant(flat, ground, null);
+        assertTrue(feet.stream().allMatch(foot -> Math.abs(foot.x() - 8) <= 1), feet.toString());
     }
 }
