@@ -166,19 +166,19 @@ public final class TracedLevel {
         if (air.isEmpty()) {
             return radiance;
         }
-        Vector3d seen = air.get().over(radiance, place, direction.toVector(), metres);
+        Vector3d arriving = air.get().over(radiance, place, direction.toVector(), metres);
         Vec3 eye = place.addScaled(-metres, direction);
-        shade.ifPresent(all -> seen.sub(all.taken(eye, direction, metres, random)));
-        return seen;
+        shade.ifPresent(all -> arriving.sub(all.taken(eye, direction, metres, random)));
+        return arriving;
     }
 
     /** Returns what an eye sees at a path's end where nothing is. */
     Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
         Vector3d away = new Vector3d(path.direction()).normalize();
-        Vector3d seen = sky(eyeHeight, away);
+        Vector3d arriving = sky(eyeHeight, away);
         shade.ifPresent(
-                all -> seen.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
-        return seen;
+                all -> arriving.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
+        return arriving;
     }
 
     /**

@@ -62,7 +62,7 @@ final class LightOverPlanet implements DistantLight {
         PlanetPlace place = PlanetPlace.of(at);
         double height = Math.max(0, Math.min(Air.TOP_METRES, place.altitudeMetres()));
         SunOverLimb disc =
-                SunOverLimb.seen(air.sunRadiusRadians(), height, place.zenith().dot(towards));
+                SunOverLimb.of(air.sunRadiusRadians(), height, place.zenith().dot(towards));
         if (disc.fraction() == 0) {
             return Vec3.ZERO;
         }

@@ -217,7 +217,8 @@ public final class CloudLawsProof implements Proof {
             double at = MajorantTracking.collision(slab, ray, 0, INFINITE, random);
             return at == INFINITE
                     ? 0
-                    : scattered * MajorantTracking.transmittance(slab, Ray.of(ray.at(at), sun(mu0)), 0, INFINITE, random);
+                    : scattered
+                            * MajorantTracking.transmittance(slab, Ray.of(ray.at(at), sun(mu0)), 0, INFINITE, random);
         });
     }
 
