@@ -7,8 +7,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
@@ -22,7 +21,6 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
@@ -92,20 +90,20 @@ final class EntityActions {
         String typed = call.needed("kind");
         Vec3 at = call.vector("at", Vec3.ZERO);
         Document document = call.session().document();
-        LevelStructure structure = document.entities().structure();
-        for (EntitySection section : structure.lists()) {
+        Entities entities = document.entities();
+        for (EntitySection section : entities.lists()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (kind.isPresent()) {
                 String wish = call.text("id").orElse(kind.get().name());
                 String id = document.entities().freshId(document.level(), section.path(), wish);
-                add(document, section.path(), id, NewRecord.at(kind.get(), id, at));
+                add(document, section.path(), id, AddedRecord.at(kind.get(), id, at));
                 return;
             }
         }
-        for (SingleSection section : structure.singles()) {
+        for (SingleSection section : entities.singles()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (section.isOptional() && kind.isPresent()) {
-                add(document, section.path(), "", NewRecord.at(kind.get(), "", at));
+                add(document, section.path(), "", AddedRecord.at(kind.get(), "", at));
                 return;
             }
         }
@@ -126,7 +124,7 @@ final class EntityActions {
                 ADD,
                 null,
                 before -> new Snapshot(
-                        Completion.of(
+                        AddedRecord.completed(
                                 before.level(), (Level) document.entities().added(before.level(), section, entity)),
                         Selection.of(new EntityRef(section, id))));
     }

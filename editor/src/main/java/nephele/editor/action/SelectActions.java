@@ -77,7 +77,7 @@ final class SelectActions {
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
                             .document()
-                            .edit(SHOW_ALL, NoteEdits::allShown))
+                            .edit(SHOW_ALL, NoteEdits::allVisible))
                     .changing(Subject.LEVEL),
             EditorAction.of("lock", LOCK, Menu.SELECT, List.of("Ctrl+L"), SelectActions::lock)
                     .changing(Subject.LEVEL)
@@ -129,7 +129,7 @@ final class SelectActions {
     private static List<EntityRef> selectable(ActionCall call) {
         Document document = call.session().document();
         List<EntityRef> all = new ArrayList<>();
-        for (EntitySection section : document.entities().structure().lists()) {
+        for (EntitySection section : document.entities().lists()) {
             if (!section.path().equals("materials")) {
                 for (Record entity : section.entities(document.level())) {
                     all.add(new EntityRef(section.path(), RecordKind.id(entity)));

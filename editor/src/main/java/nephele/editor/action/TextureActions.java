@@ -47,12 +47,7 @@ final class TextureActions {
                             Words.of("Fit Texture", "Ajustar textura à face", "Ajustar textura à face"),
                             Menu.BRUSH,
                             List.of("Ctrl+Alt+F"),
-                            call -> place(
-                                    call,
-                                    face -> TextureFit.fit(
-                                            face,
-                                            call.number("across", LEAST_REPEATS, MOST_REPEATS, 1),
-                                            call.number("down", LEAST_REPEATS, MOST_REPEATS, 1))))
+                            TextureActions::fit)
                     .taking("across", "down")
                     .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces),
@@ -71,13 +66,13 @@ final class TextureActions {
                     .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces));
 
-    /** Finds the place of a picture on a face. */
-    @FunctionalInterface
-    private interface Placing {
-        TexturePlacement of(PaintedFace face) throws EditorRefusal;
-    }
-
     private TextureActions() {}
+
+    private static void fit(ActionCall call) throws EditorRefusal {
+        double across = call.number("across", LEAST_REPEATS, MOST_REPEATS, 1);
+        double down = call.number("down", LEAST_REPEATS, MOST_REPEATS, 1);
+        place(call, face -> TextureFit.fit(face, across, down));
+    }
 
     private static EditorAction aligned(String id, Words where, TextureAlignment alignment) {
         Words title = Words.of("Align Texture %s", "Alinhar textura %s", "Alinhar textura %s")
@@ -121,7 +116,7 @@ final class TextureActions {
         return faces;
     }
 
-    private static void place(ActionCall call, Placing placing) throws EditorRefusal {
+    private static void place(ActionCall call, Function<PaintedFace, TexturePlacement> placing) {
         Document document = call.session().document();
         Level level = document.level();
         for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
@@ -133,7 +128,8 @@ final class TextureActions {
         document.edit(PLACE, null, before -> before.with(after));
     }
 
-    private static Solid placed(Level level, Solid solid, Set<String> faces, Placing placing) throws EditorRefusal {
+    private static Solid placed(
+            Level level, Solid solid, Set<String> faces, Function<PaintedFace, TexturePlacement> placing) {
         Function<String, Material> materials = id -> level.materials().stream()
                 .filter(material -> material.id().equals(id))
                 .findFirst()
@@ -141,7 +137,7 @@ final class TextureActions {
         Solid result = solid;
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
-                TexturePlacement placement = placing.of(PaintedFace.of(face, materials.apply(face.material())));
+                TexturePlacement placement = placing.apply(PaintedFace.of(face, materials.apply(face.material())));
                 Solid.Face authored = SolidFaces.said(result, face.name());
                 result = SolidFaces.with(
                         result,

@@ -13,7 +13,6 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
@@ -40,7 +39,7 @@ public final class Clip {
         }
         Environment none = new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         Level clip = Level.of("", "", none, List.of());
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : entities.lists()) {
             List<Record> chosen = section.entities(level).stream()
                     .filter(entity -> wanted.contains(new EntityRef(section.path(), RecordKind.id(entity))))
                     .toList();
@@ -51,7 +50,7 @@ public final class Clip {
 
     private static List<EntityRef> materials(Record entity) {
         List<EntityRef> used = new ArrayList<>();
-        RecordWalk.map(entity, (field, value) -> {
+        RecordKind.mapped(entity, (field, value) -> {
             if (field.declaration().refersTo().equals(MATERIALS) && value != null) {
                 used.add(new EntityRef(MATERIALS, (String) value));
             }
@@ -73,7 +72,7 @@ public final class Clip {
         Level level = before.level();
         Map<String, Map<String, String>> newIds = freshIds(clip, level, entities);
         List<EntityRef> pasted = new ArrayList<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : entities.lists()) {
             boolean isMaterials = section.path().equals(MATERIALS);
             Set<String> present = new HashSet<>();
             section.entities(level).forEach(entity -> present.add(RecordKind.id(entity)));
@@ -109,14 +108,14 @@ public final class Clip {
     }
 
     private static boolean hasOnlyMaterials(Level clip, Entities entities) {
-        return entities.structure().lists().stream()
+        return entities.lists().stream()
                 .allMatch(section -> section.path().equals(MATERIALS)
                         || section.entities(clip).isEmpty());
     }
 
     private static Map<String, Map<String, String>> freshIds(Level clip, Level level, Entities entities) {
         Map<String, Map<String, String>> all = new HashMap<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : entities.lists()) {
             Map<String, String> ids = new HashMap<>();
             Set<String> taken = new HashSet<>();
             for (Record entity : section.entities(clip)) {

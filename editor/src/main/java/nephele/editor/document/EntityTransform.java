@@ -8,7 +8,7 @@ import nephele.editor.brush.SolidTransform;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordField;
-import nephele.editor.record.RecordWalk;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
@@ -72,7 +72,7 @@ public final class EntityTransform {
             return turned(model, pivot, axis, degrees);
         }
         Turn turn = new Turn(pivot, axis, degrees);
-        return RecordWalk.map(entity, (field, value) -> turned(field, value, turn));
+        return RecordKind.mapped(entity, (field, value) -> turned(field, value, turn));
     }
 
     private static Object turned(RecordField field, Object value, Turn turn) {
@@ -100,7 +100,7 @@ public final class EntityTransform {
             return before(model, steps);
         }
         double length = Math.cbrt(Math.abs(factors.x() * factors.y() * factors.z()));
-        return RecordWalk.map(entity, (field, value) -> scaled(field, value, pivot, factors, length));
+        return RecordKind.mapped(entity, (field, value) -> scaled(field, value, pivot, factors, length));
     }
 
     private static Object scaled(RecordField field, Object value, Vec3 pivot, Vec3 factors, double length) {
@@ -119,7 +119,7 @@ public final class EntityTransform {
     }
 
     private static Record points(Record entity, java.util.function.UnaryOperator<Vec3> change) {
-        return RecordWalk.map(
+        return RecordKind.mapped(
                 entity,
                 (field, value) ->
                         field.spatial() == Spatial.POINT && value instanceof Vec3 point ? change.apply(point) : value);

@@ -71,7 +71,7 @@ public final class Picker {
     /** Returns the visible entities other than solids. */
     private List<EntityRef> symbols() {
         List<EntityRef> refs = new ArrayList<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : entities.lists()) {
             if (!section.path().equals(SOLIDS)) {
                 for (Record entity : section.entities(level)) {
                     refs.add(new EntityRef(section.path(), RecordKind.id(entity)));

@@ -17,7 +17,8 @@ import nephele.engine.level.Level;
 public final class SessionWatch implements AutoCloseable {
     private final EditorSession session;
     private final OutsideChanges changes;
-    private final Threads threads;
+    private final Executor onSession;
+    private final Executor background;
     private final FileWatch watch;
     private final Registration registration;
     private volatile Of current = new Of(null, null);
@@ -29,19 +30,17 @@ public final class SessionWatch implements AutoCloseable {
     private record Of(Path file, Level level) {}
 
     /**
-     * The threads of a watch.
+     * Begins to watch.
      *
-     * @param session runs what touches the session
+     * @param onSession runs what touches the session
      * @param background runs what reads files, in order
      */
-    public record Threads(Executor session, Executor background) {}
-
-    /** Begins to watch. */
-    public SessionWatch(EditorSession session, OutsideChanges changes, Threads threads) {
+    public SessionWatch(EditorSession session, OutsideChanges changes, Executor onSession, Executor background) {
         this.session = session;
         this.changes = changes;
-        this.threads = threads;
-        watch = FileWatch.start(paths -> threads.session().execute(() -> changes.changed(paths)));
+        this.onSession = onSession;
+        this.background = background;
+        watch = FileWatch.start(paths -> onSession.execute(() -> changes.changed(paths)));
         registration = session.listen(this::follow);
         watchFiles();
     }
@@ -50,7 +49,7 @@ public final class SessionWatch implements AutoCloseable {
         boolean isOther = change == SessionChange.DOCUMENT || change == SessionChange.FILE;
         if (isOther && !session.document().isDragging()) {
             watchFiles();
-            threads.session().execute(changes::settle);
+            onSession.execute(changes::settle);
         }
     }
 
@@ -63,12 +62,12 @@ public final class SessionWatch implements AutoCloseable {
         }
         Of now = new Of(file, level);
         current = now;
-        threads.background().execute(() -> {
+        background.execute(() -> {
             if (isOtherFile || now == current) {
                 watch(now);
             }
             if (isOtherFile && file != null) {
-                threads.session().execute(() -> lookAgain(file));
+                onSession.execute(() -> lookAgain(file));
             }
         });
     }

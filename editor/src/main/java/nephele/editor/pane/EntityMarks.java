@@ -180,8 +180,8 @@ public final class EntityMarks {
                 .filter(other -> other.id().equals(spec.linkedTo()) && isFirst(spec, other))
                 .forEach(other -> {
                     boolean isSelected = selected.contains(name) || selected.contains("portals/" + other.id());
-                    Visibility seen = isSelected ? Visibility.ALWAYS : Visibility.HIDDEN_BY_SURFACES;
-                    marks.add(new Mark.Line(spec.centre(), other.centre(), MarkColour.GUIDE, seen));
+                    Visibility visibility = isSelected ? Visibility.ALWAYS : Visibility.HIDDEN_BY_SURFACES;
+                    marks.add(new Mark.Line(spec.centre(), other.centre(), MarkColour.GUIDE, visibility));
                 });
     }
 

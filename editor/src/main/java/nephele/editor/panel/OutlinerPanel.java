@@ -33,8 +33,8 @@ import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.OutlinerModel;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
@@ -53,7 +53,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
     private final transient Consumer<EntityRef> focus;
     private final transient Consumer<List<EntityRef>> delete;
-    private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
+    private final transient OutlinerModel model = new OutlinerModel(Entities.LEVEL);
     private final JTextField search = new JTextField();
     private final JLabel error = new JLabel();
     private final OutlinerTable lines;
@@ -192,7 +192,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     }
 
     private void searched() {
-        query = EntityQuery.parse(search.getText(), LevelStructure.LEVEL);
+        query = EntityQuery.parse(search.getText(), Entities.LEVEL);
         showErrors();
         refresh();
     }

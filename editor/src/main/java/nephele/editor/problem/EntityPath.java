@@ -7,9 +7,9 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import nephele.editor.document.LevelShapes;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -34,7 +34,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return Optional.empty();
         }
         int index = Integer.parseInt(matcher.group(2));
-        return LevelStructure.LEVEL
+        return Entities.LEVEL
                 .list(matcher.group(1))
                 .filter(section -> index < section.entities(level).size())
                 .map(section -> new EntityPath(section, index, matcher.group(3)));

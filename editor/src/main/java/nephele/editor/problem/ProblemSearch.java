@@ -84,10 +84,11 @@ public final class ProblemSearch {
         return problems;
     }
 
-    /** Reads files only if a record that names one has changed, or what their models are compared with. */
+    /** Reads files only if a record that names one has changed, or what models and billboards are compared with. */
     private List<Problem> ofFiles(Level level, BooleanSupplier isOver) {
-        List<Object> named = new ArrayList<>(List.of(level.materials(), level.environment(), level.models()));
-        if (!level.models().isEmpty()) {
+        List<Object> named = new ArrayList<>(
+                List.of(level.materials(), level.environment(), level.models(), level.terrains(), level.billboards()));
+        if (!level.models().isEmpty() || !level.billboards().isEmpty()) {
             named.addAll(List.of(level.solids(), level.portals(), Optional.ofNullable(level.player())));
         }
         if (!named.equals(namedFiles)) {

@@ -2,8 +2,7 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -11,11 +10,8 @@ import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.ToolOptions;
@@ -43,8 +39,8 @@ record NewEntity(String section, Record entity) {
     /** Makes the entity that the options name; empty if there is no such kind. */
     static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
         String section = options.section();
-        return kind(entities.structure(), options).map(kind -> {
-            String id = entities.freshId(level, section, wish(entities.structure(), options, kind));
+        return kind(entities, options).map(kind -> {
+            String id = entities.freshId(level, section, wish(entities, options, kind));
             double off = standoffMetres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
                     made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
@@ -52,12 +48,10 @@ record NewEntity(String section, Record entity) {
         });
     }
 
-    private static Optional<RecordKind> kind(LevelStructure structure, ToolOptions options) {
-        List<RecordKind> kinds = structure
-                .list(options.section())
+    private static Optional<RecordKind> kind(Entities entities, ToolOptions options) {
+        List<RecordKind> kinds = entities.list(options.section())
                 .map(EntitySection::kinds)
-                .or(() -> structure
-                        .single(options.section())
+                .or(() -> entities.single(options.section())
                         .filter(SingleSection::isOptional)
                         .map(SingleSection::kinds))
                 .orElse(List.of());
@@ -69,16 +63,15 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns the kind's name if the section has several, else the section's in the singular. */
-    private static String wish(LevelStructure structure, ToolOptions options, RecordKind kind) {
-        return structure
-                .list(options.section())
+    private static String wish(Entities entities, ToolOptions options, RecordKind kind) {
+        return entities.list(options.section())
                 .filter(list -> list.kinds().size() == 1)
                 .map(list -> list.title().replaceFirst("s$", ""))
                 .orElse(kind.name());
     }
 
     private static Record made(RecordKind kind, String id, Vec3 at, ToolOptions options, Level level) {
-        Record record = NewRecord.at(kind, id, at);
+        Record record = AddedRecord.at(kind, id, at);
         if (record instanceof Solid) {
             return painted(record, options, level);
         }
@@ -98,7 +91,7 @@ record NewEntity(String section, Record entity) {
             for (Class<?> type : field.declaration().beside() ? field.recordClasses() : List.<Class<?>>of()) {
                 RecordKind variant = RecordKind.of(type);
                 if (variant.name().equals(wanted)) {
-                    return kind.with(record, field, Prototypes.make(variant, "", at));
+                    return kind.with(record, field, AddedRecord.at(variant, "", at));
                 }
             }
         }
@@ -128,8 +121,8 @@ record NewEntity(String section, Record entity) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level added = Completion.of(before.level(), (Level) entities.added(base, section, entity));
-        Level level = Completion.paired(before.level(), added);
+        Level added = AddedRecord.completed(before.level(), (Level) entities.added(base, section, entity));
+        Level level = AddedRecord.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
     }
 
@@ -155,7 +148,7 @@ record NewEntity(String section, Record entity) {
 
     private static Vec3 extent(Record entity) {
         Vec3[] found = {Vec3.ZERO};
-        RecordWalk.map(entity, (field, value) -> {
+        RecordKind.mapped(entity, (field, value) -> {
             if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
                 found[0] = size;
             }

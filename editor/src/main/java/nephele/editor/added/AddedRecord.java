@@ -3,55 +3,143 @@ package nephele.editor.added;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import nephele.editor.document.EntityTransform;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.FieldKind;
+import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.engine.level.Billboards;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Environment.Lightning;
+import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Spatial;
 import nephele.engine.math.Vec3;
 
 /**
- * Gives a level what a record that was just added to it needs: a reference names a record that exists, an observer has a
- * camera and a player, billboards are at places or over a field but not both, a field of models is
- * of impostors, a sky in one picture has no second one.
+ * A record that is added to a level: it is made at a place from its declaration, and the level is given what it needs. A
+ * reference names a record that exists, an observer has a camera and a player, billboards are at places or over a field
+ * but not both, a field of models is of impostors, a sky in one picture has no second one.
  */
-public final class Completion {
+public final class AddedRecord {
     private static final String MATERIALS = "materials";
+    private static final double HALF_METRES = 0.5;
 
     private final Level before;
 
-    private Completion(Level before) {
+    private AddedRecord(Level before) {
         this.before = before;
     }
 
+    /** Returns a new record at a place, metres; a record without an id ignores it. */
+    public static Record at(RecordKind kind, String id, Vec3 at) {
+        Record record = declared(kind, id, at);
+        if (record instanceof ModelPlacement) {
+            return at.equals(Vec3.ZERO) ? record : EntityTransform.moved(record, at);
+        } else if (record instanceof Solid.Planes planes) {
+            return cube(planes, at);
+        }
+        return record instanceof Lightning lightning ? above(lightning) : record;
+    }
+
+    /** Planes without a single one enclose nothing. */
+    private static Record cube(Solid.Planes none, Vec3 at) {
+        Vec3 centre = at.plus(new Vec3(0, HALF_METRES, 0));
+        List<Solid.PlaneFace> planes = List.of(BoxFace.values()).stream()
+                .map(side ->
+                        new Solid.PlaneFace(side.normal(), side.normal().dot(centre) + HALF_METRES, null, null, null))
+                .toList();
+        return new Solid.Planes(none.id(), none.material(), none.portalable(), none.textureMapping(), planes);
+    }
+
+    /** Bolts end below the box in which they begin. */
+    private static Record above(Lightning lightning) {
+        double up = lightning.groundAltitudeMetres()
+                + 2 * lightning.size().y()
+                - lightning.centre().y();
+        return up > 0 ? EntityTransform.moved(lightning, new Vec3(0, up, 0)) : lightning;
+    }
+
+    /** Returns the record of the absent values, prototypes and places that its components declare. */
+    private static Record declared(RecordKind kind, String id, Vec3 at) {
+        Object[] values = new Object[kind.fields().size()];
+        boolean isTarget = false;
+        for (RecordField field : kind.fields()) {
+            Object value = value(field, id, at);
+            if (field.spatial() == Spatial.POINT && field.isRequired()) {
+                // Two equal points, such as a camera's position and target, would give no direction.
+                value = isTarget ? at.plus(new Vec3(0, 0, -1)) : at;
+                isTarget = true;
+            }
+            if (field.spatial() == Spatial.POINT && field.kind() == FieldKind.LIST) {
+                value = List.of(at);
+            }
+            values[field.index()] = value;
+        }
+        return kind.make(values);
+    }
+
+    private static Object value(RecordField field, String id, Vec3 at) {
+        if (field.isId()) {
+            return id;
+        }
+        if (!field.isRequired() && field.written().prototype() == null) {
+            return field.declaration().beside()
+                    ? nested(field, id, at)
+                    : field.written().absent();
+        }
+        return field.written().prototype() != null ? field.written().prototype() : derived(field, id, at);
+    }
+
+    private static Record nested(RecordField field, String id, Vec3 at) {
+        List<Class<?>> classes = field.recordClasses();
+        return declared(RecordKind.of(classes.get(classes.size() - 1)), id, at);
+    }
+
+    private static Object derived(RecordField field, String id, Vec3 at) {
+        double number = field.range() == null ? 1 : field.range().nearest(1);
+        return switch (field.kind()) {
+            case NUMBER -> number;
+            case WHOLE -> field.valueClass() == int.class ? (Object) (int) number : (Object) (long) number;
+            case TRUTH -> false;
+            case TEXT, REFERENCE, ASSET -> id.isEmpty() ? "new" : id;
+            case CHOICE -> field.choices().get(0);
+            case VECTOR -> field.spatial() == Spatial.DIRECTION ? new Vec3(0, 1, 0) : new Vec3(number, number, number);
+            case EXPOSURE -> Exposure.NEUTRAL;
+            case RECORD, VARIANT -> nested(field, id, at);
+            case LIST -> List.of();
+            case TABLE -> Map.of();
+        };
+    }
+
     /** Returns the level after an addition, completed; what was wrong before stays as it was. */
-    public static Level of(Level before, Level after) {
-        return before.equals(after) ? after : new Completion(before).complete(after);
+    public static Level completed(Level before, Level after) {
+        return before.equals(after) ? after : new AddedRecord(before).complete(after);
     }
 
     private Level complete(Level added) {
         Level level = observed(planted(framed(added)));
-        for (EntitySection section : LevelStructure.LEVEL.lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             level = referring(level, section);
         }
         return level;
     }
 
     private static Level added(Level level, String section, String wish, Vec3 at) {
-        EntitySection list = LevelStructure.LEVEL.list(section).orElseThrow();
+        EntitySection list = Entities.LEVEL.list(section).orElseThrow();
         String id = Entities.LEVEL.freshId(level, section, wish);
-        return (Level)
-                Entities.LEVEL.added(level, section, NewRecord.at(list.kinds().get(0), id, at));
+        return (Level) Entities.LEVEL.added(level, section, at(list.kinds().get(0), id, at));
     }
 
     private Level framed(Level level) {
@@ -94,7 +182,7 @@ public final class Completion {
         RecordKind player = RecordKind.of(PlayerStart.class);
         return result.player() != null
                 ? result
-                : (Level) Entities.LEVEL.added(result, "player", NewRecord.at(player, "", Vec3.ZERO));
+                : (Level) Entities.LEVEL.added(result, "player", at(player, "", Vec3.ZERO));
     }
 
     private Level planted(Level level) {
@@ -125,7 +213,7 @@ public final class Completion {
         boolean isBare = section.path().equals(MATERIALS) && level.materials().isEmpty();
         Level able = isBare ? MaterialLibrary.STANDARD.including(level, MaterialLibrary.FIRST) : level;
         Record result = able;
-        for (EntitySection owners : LevelStructure.LEVEL.lists()) {
+        for (EntitySection owners : Entities.LEVEL.lists()) {
             List<Record> changed = owners.entities(result).stream()
                     .map(owner -> referring(owner, section.path(), wrong, others(able, section, owners, owner)))
                     .toList();
@@ -135,7 +223,7 @@ public final class Completion {
     }
 
     private static Record referring(Record owner, String section, Set<String> wrong, List<String> ids) {
-        return RecordWalk.map(owner, (field, value) -> {
+        return RecordKind.mapped(owner, (field, value) -> {
             boolean isWrong = field.declaration().refersTo().equals(section) && value != null && wrong.contains(value);
             return !isWrong || ids.isEmpty() && field.isRequired() ? value : ids.isEmpty() ? null : ids.get(0);
         });
