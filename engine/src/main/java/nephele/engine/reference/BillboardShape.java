@@ -57,7 +57,7 @@ final class BillboardShape implements TracedShape {
         this.picture = picture;
         this.decoding = decoding;
         turn = group.turn(index) + quarterTurns * StrictMath.PI / 2;
-        Billboards.Size size = group.said().sizeMetres();
+        Billboards.Size size = group.authored().sizeMetres();
         halfWidth = size.width() * group.scale(index) / 2;
         halfHeight = size.height() * group.scale(index) / 2;
         this.observer = observer;
@@ -71,11 +71,11 @@ final class BillboardShape implements TracedShape {
         PlantedBillboards planted = PlantedBillboards.of(placed.level(), placed.statics(), placed.assets());
         for (int number = 0; number < planted.groups().size(); number++) {
             PlantedBillboards.Group group = planted.groups().get(number);
-            if (group.said().blended()) {
+            if (group.authored().blended()) {
                 continue;
             }
-            Sprite sprite = Sprite.of(group.said(), placed.assets());
-            int images = group.said().facing() == Facing.CROSSED ? 2 : 1;
+            Sprite sprite = Sprite.of(group.authored(), placed.assets());
+            int images = group.authored().facing() == Facing.CROSSED ? 2 : 1;
             for (int i = 0; i < images * group.feet().size(); i++) {
                 int index = i / images;
                 Picture picture = sprite.frames().get(frame(group, index, seconds));
@@ -87,8 +87,8 @@ final class BillboardShape implements TracedShape {
 
     /** Returns the frame that is drawn at a time. */
     private static int frame(PlantedBillboards.Group group, int index, double seconds) {
-        int frames = group.said().frames();
-        double moved = seconds * group.said().framesPerSecond();
+        int frames = group.authored().frames();
+        double moved = seconds * group.authored().framesPerSecond();
         return (int) Math.floorMod((long) Math.floor(moved + group.phase(index) * frames), (long) frames);
     }
 
@@ -103,9 +103,9 @@ final class BillboardShape implements TracedShape {
     /** Returns the place where a ray meets the image's opaque part; {@code null} if it does not. */
     private Spot spot(Ray ray) {
         Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
-        Facing facing = group.said().facing() == Facing.SCREEN
+        Facing facing = group.authored().facing() == Facing.SCREEN
                 ? Facing.SPHERICAL
-                : group.said().facing();
+                : group.authored().facing();
         Vec3 towards = observer == null ? direction.negated() : observer.minus(middle);
         FacingAxes axes = FacingAxes.of(facing, towards, SIDE, UP, turn);
         Vec3 front = axes.front();
@@ -173,13 +173,13 @@ final class BillboardShape implements TracedShape {
                 .addScaled(PlantedBillboards.BULGE * spot.up(), spot.axes().up())
                 .toVector()
                 .normalize();
-        Vec3 colour = group.said().colour() != null
-                ? group.said().colour()
+        Vec3 colour = group.authored().colour() != null
+                ? group.authored().colour()
                 : new Vec3(
                         sample(spot.right(), spot.up(), 0) / 255,
                         sample(spot.right(), spot.up(), 1) / 255,
                         sample(spot.right(), spot.up(), 2) / 255);
-        Vec3 emission = group.said().emission().times(colour);
+        Vec3 emission = group.authored().emission().times(colour);
         return new SurfacePoint(
                 path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission, true);
     }
