@@ -459,12 +459,7 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (slow.isTimeLost(now, walk.lostNanos())) {
-            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
-            if (slow.isNews(cause, now, message.showsHint())) {
-                message.sayAside(SlowAdvice.text(cause, language()));
-            }
-        }
+        slow.say(now, current, window, files.settings(), message);
         if (finished.isPresent()) {
             end(session, finished.get());
         } else if (walk.isFinished()) {
