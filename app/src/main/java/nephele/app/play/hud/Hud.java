@@ -3,7 +3,7 @@ package nephele.app.play.hud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** Updates the overlay's canvas; fills it again only when content, size or scale have changed. */
@@ -16,8 +16,8 @@ public final class Hud {
     private Area shownArea;
     private double shownScale;
 
-    public Hud(Lettering lettering) {
-        canvas = new OverlayCanvas(lettering);
+    public Hud(FontAtlas letters) {
+        canvas = new OverlayCanvas(letters);
     }
 
     /** Returns the canvas for this content on a picture of this size. */

@@ -1,8 +1,8 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The menu in the middle of the picture. Lengths are in points. A low window shrinks the panel, down to a scale at
@@ -101,7 +101,7 @@ public final class MenuPanel {
     }
 
     /** @param foot the text below the entries, see {@link #foot} */
-    void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
+    void draw(OverlayCanvas canvas, String foot, DisplayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
         canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
@@ -178,7 +178,7 @@ public final class MenuPanel {
         return foot.lines().size() <= FOOT_LINES ? FOOT_HEIGHT : foot.em();
     }
 
-    private void drawFoot(OverlayCanvas canvas, double x, String text, OverlayColour ink) {
+    private void drawFoot(OverlayCanvas canvas, double x, String text, DisplayColour ink) {
         TextLines foot = foot(canvas, text);
         double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
         double baseline = rowsEnd + scale * firstBaseline(foot);
