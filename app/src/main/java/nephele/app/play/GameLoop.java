@@ -151,7 +151,7 @@ public final class GameLoop implements AutoCloseable {
         simulate();
         draw();
         stages.logVisible(menu, loading, current);
-        tellProblems();
+        reportProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
 
@@ -494,7 +494,7 @@ public final class GameLoop implements AutoCloseable {
         shot = Display.Shot.NONE;
     }
 
-    private void tellProblems() {
+    private void reportProblems() {
         List<String> problems = files.takeProblems();
         if (!problems.isEmpty()) {
             problems.forEach(message::say);

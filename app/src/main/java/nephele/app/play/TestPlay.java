@@ -40,7 +40,7 @@ final class TestPlay {
     private long lastNanos = System.nanoTime();
 
     /**
-     * What the play asks and tells.
+     * The callbacks of a test play.
      *
      * @param isReplaced true when another level shall be played
      * @param firstShown runs after the first frame is on the screen

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
- * What is told of the selected entry beside the menu: a picture, facts, then a text, which is smaller and in the end cut
+ * Draws the card of the selected entry beside the menu: a picture, facts, then a text, which is smaller and in the end cut
  * where there is no room. Lengths are in points.
  */
 final class CardPanel {
