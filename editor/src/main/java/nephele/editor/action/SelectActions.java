@@ -1,7 +1,6 @@
 package nephele.editor.action;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -64,7 +63,7 @@ final class SelectActions {
                             List.of("Ctrl+U"),
                             SelectActions::users)
                     .when(EditActions::hasSelection),
-            EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), call -> edit(call, HIDE, Part.SELECTED))
+            EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), SelectActions::hide)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of(
@@ -72,7 +71,7 @@ final class SelectActions {
                             ISOLATE,
                             Menu.SELECT,
                             List.of("Shift+H"),
-                            call -> edit(call, ISOLATE, Part.OTHERS))
+                            SelectActions::isolate)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
@@ -101,11 +100,6 @@ final class SelectActions {
                                                     .entities())))
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection));
-
-    private enum Part {
-        SELECTED,
-        OTHERS
-    }
 
     private SelectActions() {}
 
@@ -143,7 +137,7 @@ final class SelectActions {
     }
 
     private static void invert(ActionCall call) {
-        List<EntityRef> others = new ArrayList<>(selectable(call));
+        List<EntityRef> others = selectable(call);
         others.removeAll(call.session().document().selection().entities());
         call.session().document().select(Selection.of(others));
     }
@@ -157,20 +151,17 @@ final class SelectActions {
         document.select(Selection.of(users));
     }
 
-    private static void edit(ActionCall call, Words label, Part part) {
-        Collection<EntityRef> selected = call.session().document().selection().entities();
-        List<EntityRef> hidden = new ArrayList<>(part == Part.SELECTED ? selected : selectable(call));
-        if (part == Part.OTHERS) {
-            hidden.removeAll(selected);
-        }
+    private static void hide(ActionCall call) {
+        List<EntityRef> selected = call.session().document().selection().entities();
         call.session()
                 .document()
-                .edit(
-                        label,
-                        null,
-                        before -> new Snapshot(
-                                NoteEdits.hidden(before.level(), hidden),
-                                part == Part.SELECTED ? Selection.NONE : before.selection()));
+                .edit(HIDE, null, before -> new Snapshot(NoteEdits.hidden(before.level(), selected), Selection.NONE));
+    }
+
+    private static void isolate(ActionCall call) {
+        List<EntityRef> others = selectable(call);
+        others.removeAll(call.session().document().selection().entities());
+        call.session().document().edit(ISOLATE, level -> NoteEdits.hidden(level, others));
     }
 
     private static void lock(ActionCall call) {
