@@ -1,30 +1,18 @@
 package nephele.app.command;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import nephele.app.window.Size;
-import nephele.engine.asset.FileName;
-import nephele.engine.level.CloudTechnique;
-import nephele.engine.level.PlayerStart;
-import nephele.engine.math.Vec3;
-import nephele.engine.reference.tile.Shard;
-import nephele.engine.render.frame.Output;
-import nephele.host.compare.TechniquePair;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
@@ -86,17 +74,8 @@ public final class CommandLineFront {
     private ExitCode run(CommandEntry entry, Command command, String[] arguments) {
         var commandLine = new CommandLine(command);
         var common = new CommonOptions();
-        commandLine
-                .addMixin("common", common)
-                .setExpandAtFiles(false)
-                .registerConverter(Path.class, CommandLineFront::path)
-                .registerConverter(Output.class, new WordConverter<>(Output.class))
-                .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class))
-                .registerConverter(Vec3.class, NumberList::point)
-                .registerConverter(PlayerStart.class, NumberList::start)
-                .registerConverter(Size.class, converter(Size::parse))
-                .registerConverter(Shard.class, converter(Shard::parse))
-                .registerConverter(TechniquePair.class, converter(TechniquePair::parse));
+        commandLine.addMixin("common", common).setExpandAtFiles(false);
+        OptionValues.register(commandLine);
         command.register(commandLine);
         commandLine
                 .getCommandSpec()
@@ -120,25 +99,6 @@ public final class CommandLineFront {
             var explained = Explanation.of(failure, List.of(arguments));
             return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
         }
-    }
-
-    /** @param parse throws an illegal argument with a sentence about what is wrong */
-    private static <T> ITypeConverter<T> converter(Function<String, T> parse) {
-        return text -> {
-            try {
-                return parse.apply(text);
-            } catch (IllegalArgumentException wrong) {
-                throw new TypeConversionException(wrong.getMessage());
-            }
-        };
-    }
-
-    private static Path path(String typed) {
-        String objection = FileName.objection(typed);
-        if (objection != null) {
-            throw new TypeConversionException(FileName.printable(typed) + ": " + objection);
-        }
-        return Path.of(typed);
     }
 
     /** Returns a question about an unknown option that resembles a known one. */

@@ -96,8 +96,8 @@ final class SceneCommand implements Command {
     public void register(CommandLine commandLine) {
         var filled = EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));
         commandLine
-                .registerConverter(Shading.class, new WordConverter<>(filled))
-                .registerConverter(LightTerm.class, new WordConverter<>(LightTerm.class));
+                .registerConverter(Shading.class, OptionValues.word(filled))
+                .registerConverter(LightTerm.class, OptionValues.word(EnumSet.allOf(LightTerm.class)));
     }
 
     @Override

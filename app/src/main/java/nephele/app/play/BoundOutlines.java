@@ -2,10 +2,10 @@ package nephele.app.play;
 
 import java.util.List;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineDrawing;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
@@ -14,7 +14,7 @@ import nephele.host.playthrough.ObserverView;
 
 /** Draws the outlines of the bounds that an observer's sphere can touch, over the picture. */
 public final class BoundOutlines implements AutoCloseable {
-    private static final LineColour COLOUR = LineColour.of(0xFFD24A, 0.8);
+    private static final DisplayColour COLOUR = DisplayColour.of(0xFFD24A, 0.8);
     private static final double WIDTH_PIXELS = 1.5;
 
     private final GlContext gl;

@@ -23,7 +23,7 @@ final class GivenHints {
     private final Message message;
     private final Supplier<HudContent.Keys> keys;
     private Hint reported;
-    private double toldSeconds;
+    private double reportedSeconds;
     private boolean isPromised;
 
     GivenHints(Message message, Supplier<HudContent.Keys> keys) {
@@ -50,9 +50,9 @@ final class GivenHints {
         }
         if (isPromised) {
             give(hints);
-        } else if (offered != reported || seconds - toldSeconds >= AGAIN_SECONDS) {
+        } else if (offered != reported || seconds - reportedSeconds >= AGAIN_SECONDS) {
             reported = offered;
-            toldSeconds = seconds;
+            reportedSeconds = seconds;
             var shown = keys.get();
             message.sayHint(Phrase.HINT_OFFERED.in(shown.language(), shown.inSentence(Control.HINT)));
         }

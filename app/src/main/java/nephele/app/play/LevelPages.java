@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import nephele.app.play.LevelReader.Read;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Card;
 import nephele.app.play.hud.Menu.Choice;
@@ -80,7 +79,7 @@ final class LevelPages {
         shownCampaign = campaignReader.done();
         List<Entry> entries = new ArrayList<>();
         for (LevelName level : campaign) {
-            Optional<Read> read = campaignReader.of(level);
+            Optional<LevelSummary> read = campaignReader.of(level);
             entries.add(new Entry(title(level), best(level), new Choice.Play(level)).with(card(level, read)));
         }
         entries.add(writer.back());
@@ -93,10 +92,10 @@ final class LevelPages {
     }
 
     /** Returns picture, records beside the par, and aim of a level; the facts alone until it was read. */
-    private Card card(LevelName level, Optional<Read> read) {
-        Level.Par par = read.map(known -> known.summary().par()).orElse(null);
-        String about = read.map(Read::summary).map(this::about).orElse("");
-        return new Card(read.flatMap(Read::picture).orElse(null), facts(level, par), about);
+    private Card card(LevelName level, Optional<LevelSummary> read) {
+        Level.Par par = read.map(LevelSummary::par).orElse(null);
+        String about = read.map(this::about).orElse("");
+        return new Card(read.map(LevelSummary::picture).orElse(null), facts(level, par), about);
     }
 
     private String about(LevelSummary summary) {
@@ -179,10 +178,10 @@ final class LevelPages {
         List<Entry> entries = new ArrayList<>();
         int broken = 0;
         for (LevelName level : ownReader.levels()) {
-            Optional<Read> read = ownReader.of(level);
-            boolean isBroken = read.isPresent() && !read.get().summary().isGood();
+            Optional<LevelSummary> read = ownReader.of(level);
+            boolean isBroken = read.isPresent() && !read.get().isGood();
             broken += isBroken ? 1 : 0;
-            entries.add(isBroken ? broken(level, read.get().summary()) : own(level, read));
+            entries.add(isBroken ? broken(level, read.get()) : own(level, read));
         }
         if (folder != null) {
             entries.add(new Entry(writer.text(Phrase.SHOW_FOLDER), new Choice.ShowFolder(folder))
@@ -206,8 +205,8 @@ final class LevelPages {
                 : Phrase.LEVELS_BROKEN.in(writer.language(), all, broken);
     }
 
-    private Entry own(LevelName level, Optional<Read> read) {
-        String name = read.map(known -> known.summary().name()).orElse("");
+    private Entry own(LevelName level, Optional<LevelSummary> read) {
+        String name = read.map(LevelSummary::name).orElse("");
         String title = shortened(name.isEmpty() ? level.title() : name, LONGEST_TITLE);
         String value = read.isPresent() ? best(level) : "…";
         List<Fact> facts = new ArrayList<>(card(level, read).facts());
@@ -217,9 +216,9 @@ final class LevelPages {
                         writer.text(Phrase.FILE),
                         OwnLevels.nameIn(writer.files().levels(), level)));
         Card card = new Card(
-                read.flatMap(Read::picture).orElse(null),
+                read.map(LevelSummary::picture).orElse(null),
                 facts,
-                read.map(Read::summary).map(this::about).orElse(""));
+                read.map(this::about).orElse(""));
         return new Entry(title, value, new Choice.Play(level)).with(card);
     }
 

@@ -18,7 +18,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.sim.replay.Replay;
 import nephele.host.compare.CloudComparison;
@@ -144,12 +144,12 @@ public final class OffscreenWalk {
                 TechniquePair.name(comparison.techniques().right()),
                 measured.rightMillis(),
                 texts.difference()));
-        var lettering = new Lettering();
+        var letters = new FontAtlas();
         double pixelsPerPoint = Area.pixelsPerPoint(target.width(), target.height(), 1);
         var area = Area.of(target.width(), target.height(), 1);
         var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null, null);
-        try (var overlay = new OverlayPass(gl, lettering)) {
-            overlay.draw(new Hud(lettering).canvas(content, area, pixelsPerPoint), target);
+        try (var overlay = new OverlayPass(gl, letters)) {
+            overlay.draw(new Hud(letters).canvas(content, area, pixelsPerPoint), target);
         }
     }
 

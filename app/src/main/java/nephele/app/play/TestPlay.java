@@ -36,7 +36,7 @@ final class TestPlay {
     private Display.Shot shot = Display.Shot.NONE;
     private Optional<FinishedRun> finished = Optional.empty();
     private boolean isLeft;
-    private int toldPercent;
+    private int reportedPercent;
     private long lastNanos = System.nanoTime();
 
     /**
@@ -170,19 +170,19 @@ final class TestPlay {
     }
 
     private void relight(FollowingBake bake) {
-        if (toldPercent == SHOWN_PERCENT) {
+        if (reportedPercent == SHOWN_PERCENT) {
             return;
         }
         if (bake.isDone()) {
             boolean wasNeeded = current.session().isOtherLight(bake.scene());
             current.relight(bake.scene());
-            toldPercent = SHOWN_PERCENT;
+            reportedPercent = SHOWN_PERCENT;
             if (wasNeeded) {
                 reports.baking.accept(SHOWN_PERCENT);
             }
-        } else if (bake.percent() >= toldPercent + STEP_PERCENT) {
-            toldPercent = Math.min(bake.percent(), SHOWN_PERCENT - 1);
-            reports.baking.accept(toldPercent);
+        } else if (bake.percent() >= reportedPercent + STEP_PERCENT) {
+            reportedPercent = Math.min(bake.percent(), SHOWN_PERCENT - 1);
+            reports.baking.accept(reportedPercent);
         }
     }
 }

@@ -14,7 +14,7 @@ public final class WipeControl {
     /** The names of its keys. */
     public static final List<String> KEYS = List.of(LEFT, RIGHT, ALL_RIGHT, ALL_LEFT);
 
-    /** Shares of the width that a press moves it, and a held key in a second; with Shift it is finer. */
+    /** Fractions of the width that a press moves it, and a held key in a second; with Shift it is finer. */
     private static final double STEP = 0.02;
 
     private static final double PER_SECOND = 0.4;

@@ -4,11 +4,13 @@ import static org.lwjgl.glfw.GLFW.*;
 import static org.lwjgl.system.MemoryUtil.NULL;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import nephele.host.terminal.CommandFailure;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFWErrorCallback;
+import org.lwjgl.glfw.GLFWGamepadState;
 import org.lwjgl.system.Configuration;
 
 /**
@@ -25,7 +27,7 @@ public final class GameWindow implements AutoCloseable {
     private final WindowEvents events;
     private InputListener input;
     private final WindowPlace place;
-    private final PadReader pad = new PadReader();
+    private final GLFWGamepadState padState = GLFWGamepadState.calloc();
 
     private GameWindow(long handle, InputListener input) {
         this.handle = handle;
@@ -199,14 +201,45 @@ public final class GameWindow implements AutoCloseable {
         input.forget();
     }
 
-    /** Returns the gamepad's state; {@link PadState#RELEASED} without one. */
+    /** Returns the state of the first gamepad that the system knows; {@link PadState#RELEASED} without one. Allocates nothing then. */
     public PadState pad() {
-        return pad.read();
+        for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; joystick++) {
+            if (glfwJoystickPresent(joystick)
+                    && glfwJoystickIsGamepad(joystick)
+                    && glfwGetGamepadState(joystick, padState)) {
+                return readPad();
+            }
+        }
+        return PadState.RELEASED;
+    }
+
+    private PadState readPad() {
+        var down = EnumSet.noneOf(PadButton.class);
+        for (PadButton button : PadButton.values()) {
+            if (button.ordinal() <= GLFW_GAMEPAD_BUTTON_LAST && padState.buttons(button.ordinal()) == GLFW_PRESS) {
+                down.add(button);
+            }
+        }
+        addIfPulled(down, PadButton.LT, GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+        addIfPulled(down, PadButton.RT, GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
+        return new PadState(
+                down,
+                padState.axes(GLFW_GAMEPAD_AXIS_LEFT_X),
+                padState.axes(GLFW_GAMEPAD_AXIS_LEFT_Y),
+                padState.axes(GLFW_GAMEPAD_AXIS_RIGHT_X),
+                padState.axes(GLFW_GAMEPAD_AXIS_RIGHT_Y));
+    }
+
+    /** A trigger's axis runs from −1 to 1. */
+    private void addIfPulled(EnumSet<PadButton> down, PadButton trigger, int axis) {
+        if ((padState.axes(axis) + 1) / 2 > Gamepad.PRESSED) {
+            down.add(trigger);
+        }
     }
 
     @Override
     public void close() {
-        pad.close();
+        padState.free();
         Callbacks.glfwFreeCallbacks(handle);
         glfwDestroyWindow(handle);
         glfwTerminate();

@@ -197,7 +197,7 @@ public final class ProvingActions {
         TechniquePair before = comparison.techniques();
         comparison.techniques(
                 new TechniquePair(technique(call, "a", before.left()), technique(call, "b", before.right())));
-        comparison.wipe(new Wipe(call.number("wipe", 0, 1, comparison.wipe().share())));
+        comparison.wipe(new Wipe(call.number("wipe", 0, 1, comparison.wipe().fraction())));
         comparison.show();
         String failure = comparison.pictures().map(ComparedPictures::failure).orElse(null);
         if (failure != null) {

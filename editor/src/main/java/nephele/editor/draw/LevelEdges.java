@@ -13,9 +13,9 @@ import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
 import nephele.engine.render.line.WorldEdges;
@@ -148,7 +148,7 @@ final class LevelEdges implements AutoCloseable {
         return at + 3;
     }
 
-    void draw(LineProjection projection, LineColour colour, LineLayer layer, RenderTarget picture) {
+    void draw(LineProjection projection, DisplayColour colour, LineLayer layer, RenderTarget picture) {
         edges.draw(projection, colour, layer, picture);
     }
 

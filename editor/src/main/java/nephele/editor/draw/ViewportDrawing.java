@@ -11,12 +11,12 @@ import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.level.Level;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
@@ -25,7 +25,7 @@ import nephele.engine.scene.light.bake.SkyVisibility;
  * and a pane whose content has not changed keeps its picture. Everything runs on the context's thread.
  */
 public final class ViewportDrawing implements AutoCloseable {
-    private static final OverlayColour ACTIVE = OverlayColour.opaque(0x4d9de0);
+    private static final DisplayColour ACTIVE = DisplayColour.opaque(0x4d9de0);
     private static final double ACTIVE_POINTS = 2;
 
     private final GlContext gl;
@@ -68,9 +68,9 @@ public final class ViewportDrawing implements AutoCloseable {
         this.background = background;
         this.repaintSoon = repaintSoon;
         panes = new PaneDrawing(gl);
-        Lettering lettering = new Lettering();
-        frameOverlay = new OverlayPass(gl, lettering);
-        frameCanvas = new OverlayCanvas(lettering);
+        FontAtlas letters = new FontAtlas();
+        frameOverlay = new OverlayPass(gl, letters);
+        frameCanvas = new OverlayCanvas(letters);
     }
 
     /** Draws a frame over the whole target, with all edits taken over. */

@@ -14,7 +14,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
-import nephele.engine.render.ToneMappedPicture;
+import nephele.engine.render.Capture;
 import nephele.host.draw.QualityChoice;
 
 /**
@@ -63,7 +63,7 @@ public final class TracedCorner {
         /** Returns radiance, the bottom row first, as the engine would display it. */
         static Picture picture(float[] radiance, int width, Level level) {
             BufferedImage image =
-                    ToneMappedPicture.of(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
+                    Capture.toneMapped(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
             byte[] rgb = new byte[3 * width * image.getHeight()];
             for (int i = 0; i < width * image.getHeight(); i++) {
                 int colour = image.getRGB(i % width, i / width);

@@ -2,9 +2,9 @@ package nephele.engine.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Deepest;
 import nephele.engine.render.RenderSettings.Narrowing;
-import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.NestedViews;
@@ -202,8 +202,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        ClearColour seen = environment.clearColour(node.view());
-        target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
+        Vec3 behind = environment.clearColour(node.view());
+        target.clearWithinScissor(behind.x(), behind.y(), behind.z());
         drawPasses(node, frameState, target, pictureCopies);
         copy(target, own);
         gl.state().noScissor();

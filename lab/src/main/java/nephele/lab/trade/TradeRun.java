@@ -19,7 +19,7 @@ public final class TradeRun {
     private final PrintStream tell;
     private final Pictures pictures;
     private final OpenedLevel opened;
-    private final TradeView seen;
+    private final TradeView viewpoint;
     private String graphics = "";
 
     public TradeRun(TradeRequest request, PrintStream tell) {
@@ -27,7 +27,7 @@ public final class TradeRun {
         this.tell = tell;
         pictures = new Pictures(request.folder());
         opened = new LevelName(request.level()).open();
-        seen = TradeView.of(opened, request.camera(), request.extent().aspect());
+        viewpoint = TradeView.of(opened, request.camera(), request.extent().aspect());
     }
 
     public OpenedLevel opened() {
@@ -36,7 +36,7 @@ public final class TradeRun {
 
     /** Returns a description of the camera in words. */
     public String camera() {
-        return seen.camera();
+        return viewpoint.camera();
     }
 
     /** Returns the name of the OpenGL renderer that drew the pictures. */
@@ -59,7 +59,7 @@ public final class TradeRun {
     }
 
     private TradeSite site(Path partial) {
-        return new TradeSite(opened, seen, request.extent(), partial, tell);
+        return new TradeSite(opened, viewpoint, request.extent(), partial, tell);
     }
 
     /** Returns everything besides the subject that results depend on: results under another key do not count. */
@@ -67,7 +67,7 @@ public final class TradeRun {
         String elsewhere =
                 trade.level() == null ? "" : " " + TracedPictures.levelHash(new LevelName(trade.level()).open());
         return "code " + Provenance.codeHash() + "; level " + TracedPictures.levelHash(opened) + elsewhere + "; "
-                + seen.camera() + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; "
+                + viewpoint.camera() + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; "
                 + Provenance.machine();
     }
 

@@ -28,7 +28,7 @@ import nephele.lab.bake.TracedPictures;
  */
 public final class TradeSite implements AutoCloseable {
     private final OpenedLevel opened;
-    private final TradeView seen;
+    private final TradeView viewpoint;
     private final Extent extent;
     private final Path folder;
     private final PrintStream tell;
@@ -46,9 +46,9 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for files that are kept between runs */
-    public TradeSite(OpenedLevel opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(OpenedLevel opened, TradeView viewpoint, Extent extent, Path folder, PrintStream tell) {
         this.opened = opened;
-        this.seen = seen;
+        this.viewpoint = viewpoint;
         this.extent = extent;
         this.folder = folder;
         this.tell = tell;
@@ -63,7 +63,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public View view() {
-        return seen.view();
+        return viewpoint.view();
     }
 
     /** Returns a site with the same context and another level, seen by the camera with the most portal pixels. */
@@ -79,7 +79,7 @@ public final class TradeSite implements AutoCloseable {
      */
     public TradeSite with(AssetSource assets) {
         var read = new LevelFile.Opened(opened.file(), opened.level(), assets, opened.notice());
-        return sharing(new OpenedLevel(read), seen);
+        return sharing(new OpenedLevel(read), viewpoint);
     }
 
     private TradeSite sharing(OpenedLevel other, TradeView view) {
@@ -124,7 +124,7 @@ public final class TradeSite implements AutoCloseable {
     public LinearPicture reference() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        var eye = TracedPictures.pinhole(seen.view());
+        var eye = TracedPictures.pinhole(viewpoint.view());
         return new TracedPictures(folder, Provenance.codeHash())
                 .picture(TracedPictures.levelHash(opened), eye, settings, () -> trace(eye, settings));
     }

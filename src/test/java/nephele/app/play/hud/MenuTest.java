@@ -9,7 +9,7 @@ import java.util.List;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.Settings;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import org.junit.jupiter.api.Test;
 
@@ -63,7 +63,7 @@ class MenuTest {
     /** A message in the foot is whole, or ends in dots, and stays above the panel's lower edge. */
     @Test
     void aLongMessageStaysInsideThePanel() {
-        var canvas = new OverlayCanvas(new Lettering());
+        var canvas = new OverlayCanvas(new FontAtlas());
         String path = "/home/somebody/" + "a-folder-with-a-name/".repeat(3) + "room.json";
         String problem = "materials[1].texture: there is no such file; put it into the level's folder. ";
         double before = 99;

@@ -1,9 +1,8 @@
 package nephele.app.play.hud;
 
-import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The menu in the middle of the picture. Lengths are in points. A low window shrinks the panel, down to a scale at
@@ -19,10 +18,10 @@ public final class MenuPanel {
     private static final double ROW_HEIGHT = 44;
     private static final double ROW_EM = 22;
     /** The most that a label takes of a row with a value. */
-    private static final double LABEL_SHARE = 0.72;
+    private static final double LABEL_FRACTION = 0.72;
 
     /** The size of a value in relation to its label's. */
-    private static final double VALUE_SHARE = 0.85;
+    private static final double VALUE_FRACTION = 0.85;
     /** The estimated mean width of a letter, in ems. */
     private static final double LETTER_EMS = 0.5;
 
@@ -31,7 +30,6 @@ public final class MenuPanel {
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
     private static final double LEAST_FOOT_EM = 10;
-    private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
     /** The height for the lines of a message: from the entries to the panel's edge, less what hangs below a line. */
@@ -89,7 +87,7 @@ public final class MenuPanel {
     /** Returns the step of a setting for a click: back (−1) on the left half of its value, forward elsewhere. */
     public int stepAt(int row, double x) {
         double width = scale
-                * VALUE_SHARE
+                * VALUE_FRACTION
                 * ROW_EM
                 * LETTER_EMS
                 * menu.entries().get(row).value().length();
@@ -103,7 +101,7 @@ public final class MenuPanel {
     }
 
     /** @param foot the text below the entries, see {@link Foot} */
-    void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
+    void draw(OverlayCanvas canvas, String foot, DisplayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
         canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
@@ -168,29 +166,15 @@ public final class MenuPanel {
                 em--;
                 lines = TextLines.of(canvas, em, width, text);
             }
-            return new Foot(cut(canvas, em, width, lines), em, em);
+            return new Foot(TextLines.first(canvas, em, width, lines, mostLines(em)), em, em);
         }
 
         private static int mostLines(double em) {
             return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
         }
-
-        private static List<String> cut(OverlayCanvas canvas, double em, double width, List<String> whole) {
-            int most = mostLines(em);
-            if (whole.size() <= most) {
-                return whole;
-            }
-            List<String> shown = new ArrayList<>(whole.subList(0, most));
-            String last = shown.get(most - 1);
-            while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
-                last = last.substring(0, last.length() - 1);
-            }
-            shown.set(most - 1, last + CUT);
-            return shown;
-        }
     }
 
-    private void drawFoot(OverlayCanvas canvas, double x, String text, OverlayColour ink) {
+    private void drawFoot(OverlayCanvas canvas, double x, String text, DisplayColour ink) {
         Foot foot = Foot.of(canvas, text);
         double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
         double baseline = rowsEnd + scale * foot.firstBaseline();
@@ -229,11 +213,11 @@ public final class MenuPanel {
         double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
         var entry = menu.entries().get(row);
         var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
-        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_SHARE);
+        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_FRACTION);
         double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
         double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
-            double valueEm = VALUE_SHARE * em;
+            double valueEm = VALUE_FRACTION * em;
             double right = left() + scale * (WIDTH - PADDING);
             double room = right - end - scale * GAP;
             double width = canvas.width(valueEm, entry.value());

@@ -6,6 +6,8 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** Breaks text into lines of a width. */
 final class TextLines {
+    private static final String CUT = " …";
+
     private TextLines() {}
 
     /** Returns lines broken at spaces, and inside of words that are wider than a line (paths). */
@@ -35,6 +37,20 @@ final class TextLines {
         }
         lines.add(line);
         return lines;
+    }
+
+    /** Returns the first lines; if there are more, the end of the last one is cut and says so. */
+    static List<String> first(OverlayCanvas canvas, double em, double width, List<String> lines, int most) {
+        if (lines.size() <= most) {
+            return lines;
+        }
+        List<String> kept = new ArrayList<>(lines.subList(0, most));
+        String last = kept.get(most - 1);
+        while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
+            last = last.substring(0, last.length() - 1);
+        }
+        kept.set(most - 1, last + CUT);
+        return kept;
     }
 
     /** Returns the number of letters that fit, at least one. */

@@ -10,7 +10,7 @@ import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
-import nephele.lab.trade.subject.XmlPictureExperiment.Way;
+import nephele.lab.trade.subject.XmlPictureExperiment.Variant;
 import nephele.scenes.fixed.SceneFiles;
 import nephele.scenes.fixed.Shading;
 import nephele.scenes.xml.XmlModel;
@@ -37,7 +37,7 @@ public final class SceneSubjects {
                     new Setting("gouraud", "as OpenGL did it; highlights smear over a triangle"),
                     new Setting("phong", "blends the normals and lights each pixel")),
             files -> Stream.of(Shading.FLAT, Shading.GOURAUD, Shading.PHONG)
-                    .map(shading -> new Way(StillLife.of(USUAL_SLICES), files, shading))
+                    .map(shading -> new Variant(StillLife.of(USUAL_SLICES), files, shading))
                     .toList(),
             StillLife::of);
 
@@ -57,7 +57,7 @@ public final class SceneSubjects {
                     Setting.of("64"),
                     new Setting("128", "some triangles as small as pixels")),
             files -> Stream.of(4, 8, 16, 32, 64, 128)
-                    .map(slices -> new Way(StillLife.of(slices), files, Shading.GOURAUD))
+                    .map(slices -> new Variant(StillLife.of(slices), files, Shading.GOURAUD))
                     .toList(),
             StillLife::of);
 
@@ -74,7 +74,7 @@ public final class SceneSubjects {
                     new Setting("report", "radius 1, height 2: 63° off at the tip, 15° halfway up"),
                     new Setting("exact", "the generator's")),
             files -> Stream.of(withReportCones(files), files)
-                    .map(cones -> new Way(StillLife.cones(CONE_SLICES), cones, Shading.PHONG))
+                    .map(cones -> new Variant(StillLife.cones(CONE_SLICES), cones, Shading.PHONG))
                     .toList(),
             StillLife::cones);
 
@@ -123,7 +123,7 @@ public final class SceneSubjects {
             Trade.Text text,
             int usual,
             List<Setting> settings,
-            Function<StillLife.Generated, List<Way>> ways,
+            Function<StillLife.Generated, List<Variant>> variants,
             IntFunction<XmlScene> scene) {
         return new Trade(
                 subject,
@@ -137,8 +137,8 @@ public final class SceneSubjects {
                 null,
                 site -> {
                     var files = new StillLife.Generated();
-                    var exact = new Way(scene.apply(EXACT_SLICES), files, Shading.PHONG);
-                    return new XmlPictureExperiment(site, exact, ways.apply(files));
+                    var exact = new Variant(scene.apply(EXACT_SLICES), files, Shading.PHONG);
+                    return new XmlPictureExperiment(site, exact, variants.apply(files));
                 });
     }
 }

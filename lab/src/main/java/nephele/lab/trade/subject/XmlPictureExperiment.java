@@ -20,38 +20,38 @@ import nephele.scenes.fixed.Shading;
 import nephele.scenes.xml.XmlScene;
 import org.joml.Matrix4d;
 
-/** A scene drawn in several ways, compared with an exact drawing at 16 samples a pixel. */
+/** A scene drawn in several variants, compared with an exact drawing at 16 samples a pixel. */
 final class XmlPictureExperiment implements Experiment {
     static final List<String> FIGURES = List.of("relMSE", "mean bias %", "FLIP, 99th percentile of pixels");
 
     private static final int EXACT_SIDE = 4;
 
     private final TradeSite site;
-    private final Way exactWay;
-    private final List<Way> ways;
+    private final Variant exactVariant;
+    private final List<Variant> variants;
     private final List<DrawnScene> drawn = new ArrayList<>();
     private LinearPicture exact;
 
     /** A way to generate and shade a scene. */
-    record Way(XmlScene scene, SceneFiles files, Shading shading) {}
+    record Variant(XmlScene scene, SceneFiles files, Shading shading) {}
 
-    XmlPictureExperiment(TradeSite site, Way exactWay, List<Way> ways) {
+    XmlPictureExperiment(TradeSite site, Variant exactVariant, List<Variant> variants) {
         this.site = site;
-        this.exactWay = exactWay;
-        this.ways = ways;
-        ways.forEach(way -> drawn.add(null));
+        this.exactVariant = exactVariant;
+        this.variants = variants;
+        variants.forEach(variant -> drawn.add(null));
     }
 
-    private DrawnScene scene(Way way, int side) {
+    private DrawnScene scene(Variant variant, int side) {
         int width = side * site.extent().width();
         int height = side * site.extent().height();
-        var look = SceneAppearance.USUAL.with(way.shading());
-        return DrawnScene.of(site.gl(), way.scene(), way.files(), look, width, height);
+        var look = SceneAppearance.USUAL.with(variant.shading());
+        return DrawnScene.of(site.gl(), variant.scene(), variant.files(), look, width, height);
     }
 
     private DrawnScene scene(int setting) {
         if (drawn.get(setting) == null) {
-            drawn.set(setting, scene(ways.get(setting), 1));
+            drawn.set(setting, scene(variants.get(setting), 1));
         }
         return drawn.get(setting);
     }
@@ -66,7 +66,7 @@ final class XmlPictureExperiment implements Experiment {
 
     private LinearPicture reference() {
         if (exact == null) {
-            try (var fine = scene(exactWay, EXACT_SIDE)) {
+            try (var fine = scene(exactVariant, EXACT_SIDE)) {
                 exact = fine.displayed().reduced(EXACT_SIDE);
             }
         }
@@ -89,7 +89,7 @@ final class XmlPictureExperiment implements Experiment {
         drawn.stream().filter(scene -> scene != null).forEach(DrawnScene::close);
     }
 
-    /** An XML scene loaded for drawing in one way, with the picture that it is drawn into. */
+    /** An XML scene loaded for drawing one variant, with the picture that it is drawn into. */
     private record DrawnScene(FixedSceneDrawing drawing, View view, SceneAppearance look, RenderTarget picture)
             implements AutoCloseable {
         private static final Matrix4d AT_HOME = new Matrix4d();

@@ -29,7 +29,7 @@ public final class OverlayPass implements AutoCloseable {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4);
 
     private final GlContext gl;
-    private final Lettering lettering;
+    private final FontAtlas atlas;
     private GlProgram<Uniforms.Vector4> program;
     private Texture letters;
     private Texture shown;
@@ -39,9 +39,9 @@ public final class OverlayPass implements AutoCloseable {
     private long uploadedVersion;
 
     /** Creates the pass; its OpenGL objects follow with the first draw. */
-    public OverlayPass(GlContext gl, Lettering lettering) {
+    public OverlayPass(GlContext gl, FontAtlas atlas) {
         this.gl = gl;
-        this.lettering = lettering;
+        this.atlas = atlas;
     }
 
     /** Draws nothing for an empty canvas. */
@@ -89,7 +89,6 @@ public final class OverlayPass implements AutoCloseable {
     }
 
     private void build() {
-        var atlas = lettering.atlas();
         var defines = Map.of(
                 "ATLAS_WIDTH", FontAtlas.WIDTH_TEXELS + ".0",
                 "ATLAS_HEIGHT", atlas.height() + ".0",
