@@ -10,6 +10,7 @@ import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
@@ -111,7 +112,7 @@ final class SelectActions {
         List<EntityRef> refs = new ArrayList<>();
         for (String id : call.words("ids")) {
             EntityRef ref = EntityRef.of(id);
-            if (document.entities().find(document.level(), ref).isEmpty()) {
+            if (Entities.LEVEL.find(document.level(), ref).isEmpty()) {
                 throw new EditorRefusal(UNKNOWN.with(id));
             }
             refs.add(ref);
@@ -123,7 +124,7 @@ final class SelectActions {
     private static List<EntityRef> selectable(ActionCall call) {
         Document document = call.session().document();
         List<EntityRef> all = new ArrayList<>();
-        for (EntitySection section : document.entities().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             if (!section.path().equals("materials")) {
                 for (Record entity : section.entities(document.level())) {
                     all.add(new EntityRef(section.path(), RecordKind.id(entity)));
@@ -147,7 +148,7 @@ final class SelectActions {
         Set<EntityRef> users = new LinkedHashSet<>();
         document.selection()
                 .entities()
-                .forEach(ref -> users.addAll(document.entities().usages(document.level(), ref)));
+                .forEach(ref -> users.addAll(Entities.LEVEL.usages(document.level(), ref)));
         document.select(Selection.of(users));
     }
 

@@ -10,9 +10,10 @@ import nephele.editor.document.EntityTransform;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
-import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
+import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.SnappedMove;
 import nephele.editor.tool.Tool;
@@ -134,8 +135,7 @@ public final class TransformTool implements Tool {
             return;
         }
         change(pointer).ifPresent(change -> context.document()
-                .drag(before -> before.with((Level) context.document()
-                        .entities()
+                .drag(before -> before.with(Entities.LEVEL
                         .changed(
                                 before.level(),
                                 NoteEdits.unlocked(

@@ -8,12 +8,12 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.LevelShapes;
-import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
+import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.EntityMarks;
-import nephele.editor.pane.Mark;
 import nephele.editor.pane.Mark.Visibility;
+import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
@@ -42,7 +42,7 @@ final class SessionMarks {
     private PlacedModels models = PlacedModels.NONE;
 
     /** The state of a session that is marked. @param others the marks of the tool and of proofs */
-    record Marked(Snapshot now, LevelShapes shapes, Entities entities, AssetSource assets, List<Mark> others) {
+    record Marked(Snapshot now, LevelShapes shapes, AssetSource assets, List<Mark> others) {
         /** Takes it on the session's thread. */
         static Marked of(EditorSession session) {
             List<Mark> others = new ArrayList<>(session.tool().marks());
@@ -50,7 +50,6 @@ final class SessionMarks {
             return new Marked(
                     session.document().now(),
                     session.context().shapes(),
-                    session.document().entities(),
                     session.assets(),
                     others);
         }
@@ -79,7 +78,7 @@ final class SessionMarks {
         StaticShapes statics = new StaticShapes(shapes.brushes(), models(level, marked.assets()), List.of());
         List<Mark> made = new ArrayList<>(EntityMarks.of(level, statics, names));
         for (EntityRef ref : selection.entities()) {
-            marked.entities().find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
+            Entities.LEVEL.find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
         }
         selection.faces().forEach(face -> addFace(face, level, shapes, made));
         return List.copyOf(made);

@@ -13,8 +13,9 @@ import java.util.function.Supplier;
 import nephele.editor.action.EditorCommand;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.pane.PaneCamera.PanePoint;
-import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
+import nephele.editor.pane.PaneLayout;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
@@ -202,9 +203,7 @@ final class RandomEvents {
         if (all.isEmpty() || places.isEmpty() || random.nextInt(3) == 0) {
             return;
         }
-        Aabb box = session()
-                .document()
-                .entities()
+        Aabb box = Entities.LEVEL
                 .find(session().document().level(), all.get(random.nextInt(all.size())))
                 .map(EntityBounds::of)
                 .orElse(Aabb.EMPTY);
@@ -218,7 +217,7 @@ final class RandomEvents {
         boolean takesSelected = !selected.isEmpty() && random.nextBoolean();
         return takesSelected
                 ? selected
-                : session().document().entities().all(session().document().level());
+                : Entities.LEVEL.all(session().document().level());
     }
 
     private void near(PaneRectangle place, Aabb box) {

@@ -17,9 +17,8 @@ public record UserTexts(Set<String> ids) {
     /** Returns the texts of the level that a session has open. */
     public static UserTexts of(EditorSession session) {
         Level level = session.document().level();
-        Entities entities = session.document().entities();
         Set<String> ids = new HashSet<>();
-        entities.all(level).forEach(ref -> ids.add(ref.id()));
+        Entities.LEVEL.all(level).forEach(ref -> ids.add(ref.id()));
         ids.remove("");
         return new UserTexts(Set.copyOf(ids));
     }
