@@ -50,7 +50,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -182,7 +181,7 @@ class EditorPanelSwingTest {
         open(settings(theme, percent, language), size);
         BufferedImage picture = panel.picture();
         write(picture, theme + "-" + percent + "-" + language);
-        assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));
+        assertEquals(List.of(), CutTexts.in(panel, session));
         JMenuBar bar = find(panel, JMenuBar.class);
         assertEquals(Menu.values().length, bar.getMenuCount());
         assertEquals(Menu.EDIT.title().in(language), bar.getMenu(1).getText());
@@ -192,7 +191,7 @@ class EditorPanelSwingTest {
             assertEquals(
                     Menu.TOOL.title().in(other),
                     bar.getMenu(Menu.TOOL.ordinal()).getText());
-            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), other.title());
+            assertEquals(List.of(), CutTexts.in(panel, session), other.title());
         }
     }
 

@@ -29,9 +29,8 @@ import nephele.editor.tool.paint.PaintTool;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -209,7 +208,7 @@ public final class DroppedFile {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
-            session.background().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
+            session.background().get(() -> HeightMap.read(file.getFileName().toString(), content));
         } catch (AssetException noHeights) {
             throw refused(noHeights);
         }
@@ -220,7 +219,7 @@ public final class DroppedFile {
 
     private VoxelGrid grid(byte[] content) throws EditorRefusal {
         try {
-            return session.background().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
+            return session.background().get(() -> VoxelGrid.read(String.valueOf(file.getFileName()), content));
         } catch (AssetException noGrid) {
             throw refused(noGrid);
         }

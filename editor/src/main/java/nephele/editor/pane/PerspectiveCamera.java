@@ -1,6 +1,7 @@
 package nephele.editor.pane;
 
 import java.util.Optional;
+import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;

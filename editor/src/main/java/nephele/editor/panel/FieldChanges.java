@@ -21,7 +21,7 @@ import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 
-/** Makes the inspector's changes steps of the document; what a field does not take is told and changes nothing. */
+/** Makes the inspector's changes steps of the document, and reports what a field does not take. */
 final class FieldChanges {
     /** The layers of a terrain. */
     private static final RecordPath LAYERS = RecordPath.SELF.component("layers");

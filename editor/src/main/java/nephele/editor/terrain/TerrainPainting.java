@@ -15,7 +15,6 @@ import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
@@ -87,7 +86,7 @@ public final class TerrainPainting {
     }
 
     private static HeightMap heights(Terrain authored, AssetSource assets) {
-        return assets.decoded(authored.heightMap(), HeightMap.class, HeightMapFile::read);
+        return assets.decoded(authored.heightMap(), HeightMap.class, HeightMap::read);
     }
 
     private static TerrainStroke paint(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)

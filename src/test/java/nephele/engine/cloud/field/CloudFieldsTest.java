@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.OpticalDepth;
@@ -161,7 +160,7 @@ class CloudFieldsTest {
     private static void refused(Consumer<ByteBuffer> damage, String expected) {
         byte[] file = vol(0, 1);
         damage.accept(ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN));
-        var refusal = assertThrows(AssetException.class, () -> VolFile.parse("sky/a.vol", file));
+        var refusal = assertThrows(AssetException.class, () -> VoxelGrid.read("sky/a.vol", file));
         assertTrue(refusal.getMessage().startsWith("sky/a.vol: "), refusal.getMessage());
         assertTrue(refusal.getMessage().contains(expected), refusal.getMessage());
     }

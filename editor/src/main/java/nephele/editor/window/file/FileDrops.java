@@ -35,7 +35,7 @@ import nephele.editor.window.viewport.ViewportPanel;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 
-/** Takes files that are dropped on the window; those that can't be used are told of together. */
+/** Takes files that are dropped on the window; those that can't be used are reported together. */
 public final class FileDrops {
     private final EditorSession session;
     private final ViewportPanel viewport;

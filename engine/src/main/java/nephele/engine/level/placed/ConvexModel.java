@@ -172,18 +172,15 @@ final class ConvexModel {
         return sum.length() / 2;
     }
 
-    private record Edge(Vec3 from, Vec3 to) {}
-
     /** Returns true if every edge belongs to two faces, in opposite directions. */
     private static boolean isClosed(List<ConvexPolyhedron.Face> faces) {
-        Set<Edge> edges = new HashSet<>();
+        Set<List<Vec3>> edges = new HashSet<>();
         for (ConvexPolyhedron.Face face : faces) {
-            for (int i = 0; i < face.polygon().size(); i++) {
-                edges.add(new Edge(
-                        face.polygon().get(i),
-                        face.polygon().get((i + 1) % face.polygon().size())));
+            List<Vec3> polygon = face.polygon();
+            for (int i = 0; i < polygon.size(); i++) {
+                edges.add(List.of(polygon.get(i), polygon.get((i + 1) % polygon.size())));
             }
         }
-        return edges.stream().allMatch(edge -> edges.contains(new Edge(edge.to, edge.from)));
+        return edges.stream().allMatch(edge -> edges.contains(List.of(edge.get(1), edge.get(0))));
     }
 }

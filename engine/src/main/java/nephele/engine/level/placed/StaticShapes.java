@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
@@ -156,8 +155,8 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
                 return isSame ? known : new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
             }
         }
-        HeightMap map = maps.computeIfAbsent(
-                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
+        HeightMap map =
+                maps.computeIfAbsent(said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
         return editedGrounds(index, said, map, before, assets);
     }
 

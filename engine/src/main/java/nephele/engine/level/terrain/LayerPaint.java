@@ -4,7 +4,6 @@ import java.util.Optional;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Terrain;
 
 /**
@@ -75,7 +74,7 @@ public final class LayerPaint {
         if (said.layerMap() == null) {
             return Optional.empty();
         }
-        LayerMap map = assets.decoded(said.layerMap(), LayerMap.class, LayerMapFile::read);
+        LayerMap map = assets.decoded(said.layerMap(), LayerMap.class, LayerMap::read);
         requireLayers(said, map);
         return said.layers().size() < 2 ? Optional.empty() : Optional.of(map);
     }

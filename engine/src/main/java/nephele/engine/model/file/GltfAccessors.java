@@ -1,12 +1,26 @@
 package nephele.engine.model.file;
 
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
+import nephele.engine.asset.AssetException;
 import nephele.engine.model.MeshLimits;
+import nephele.engine.model.ModelText;
 import nephele.engine.model.file.GltfAccessor.Elements;
 import nephele.engine.model.file.GltfAccessor.Format;
 import nephele.engine.model.file.GltfAccessor.Sparse;
 
-/** Finds the accessors that meshes use, and checks that each is of the right type and within its buffer views. */
+/**
+ * Finds the accessors that meshes use, and checks that each is of the right type and within its buffer views. The buffers
+ * are little-endian, each as long as the file says.
+ */
 final class GltfAccessors {
     /** The extension that permits integers for all attributes. */
     static final String QUANTIZATION = "KHR_mesh_quantization";
@@ -22,6 +36,7 @@ final class GltfAccessors {
             GltfAccessor.UNSIGNED_BYTE,
             GltfAccessor.SHORT,
             GltfAccessor.UNSIGNED_SHORT);
+    private static final int MOST_BUFFERS = 64;
     private static final int MOST_STRIDE_BYTES = 252;
 
     /** What an accessor is used for, with its type and permitted components, also under {@link #QUANTIZATION}. */
@@ -45,12 +60,18 @@ final class GltfAccessors {
     }
 
     private final GltfValue root;
-    private final GltfBuffers buffers;
+    private final List<ByteBuffer> buffers;
     private final boolean isQuantized;
 
-    GltfAccessors(GltfValue root, GltfBuffers buffers) {
+    /**
+     * Reads the file's buffers.
+     *
+     * @param binary the buffer in a .glb; {@code null} without one
+     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
+     */
+    GltfAccessors(GltfValue root, byte[] binary, Function<String, byte[]> neighbour) {
         this.root = root;
-        this.buffers = buffers;
+        buffers = buffers(root.member("buffers"), binary, neighbour);
         boolean quantized = false;
         for (GltfValue extension : root.member("extensionsUsed").elements()) {
             quantized |= extension.text("").equals(QUANTIZATION);
@@ -109,10 +130,10 @@ final class GltfAccessors {
     private Elements elements(GltfValue said, Format format, int count, int bytes) {
         GltfValue allViews = root.member("bufferViews");
         GltfValue view = allViews.at(said.member("bufferView").index(allViews.size(), "buffer views"));
-        int buffer = view.member("buffer").index(buffers.all().size(), "buffers");
+        int buffer = view.member("buffer").index(buffers.size(), "buffers");
         int start = view.member("byteOffset").count(0);
         int length = view.member("byteLength").count();
-        int available = buffers.all().get(buffer).limit();
+        int available = buffers.get(buffer).limit();
         if ((long) start + length > available) {
             throw view.error("ends at byte " + ((long) start + length) + " of a buffer of " + available);
         }
@@ -125,7 +146,7 @@ final class GltfAccessors {
         if (stride % format.bytes() != 0 || (start + offset) % format.bytes() != 0) {
             throw said.error("does not begin or step at a multiple of its components' size");
         }
-        return new Elements(buffers.all().get(buffer), start + offset, stride, format);
+        return new Elements(buffers.get(buffer), start + offset, stride, format);
     }
 
     private static int stride(GltfValue said, GltfValue view, int bytes) {
@@ -138,5 +159,81 @@ final class GltfAccessors {
             throw said.error("steps by " + stride + " bytes over elements of " + bytes);
         }
         return stride;
+    }
+
+    private static List<ByteBuffer> buffers(GltfValue buffers, byte[] binary, Function<String, byte[]> neighbour) {
+        if (buffers.size() > MOST_BUFFERS) {
+            throw buffers.error("has more than " + MOST_BUFFERS + " elements");
+        }
+        List<ByteBuffer> all = new ArrayList<>();
+        long total = 0;
+        for (int i = 0; i < buffers.size(); i++) {
+            GltfValue buffer = buffers.at(i);
+            byte[] data = bytesOf(buffer, i == 0 ? binary : null, neighbour);
+            int length = buffer.member("byteLength").count();
+            if (length > data.length) {
+                throw buffer.member("byteLength").error("is " + length + ", but there are " + data.length + " bytes");
+            }
+            total += length;
+            if (total > MeshLimits.MAX_GLTF_BYTES) {
+                throw buffers.error(
+                        "hold more than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB", "make the mesh coarser");
+            }
+            byte[] kept = length == data.length ? data : Arrays.copyOf(data, length);
+            all.add(ByteBuffer.wrap(kept).order(ByteOrder.LITTLE_ENDIAN));
+        }
+        return all;
+    }
+
+    private static byte[] bytesOf(GltfValue buffer, byte[] binary, Function<String, byte[]> neighbour) {
+        GltfValue uri = buffer.member("uri");
+        if (!uri.exists()) {
+            if (binary == null) {
+                throw uri.error("is missing, and the file holds no binary chunk for it");
+            }
+            return binary;
+        }
+        String text = uri.text("");
+        return text.startsWith("data:") ? embedded(uri, text) : beside(uri, text, neighbour);
+    }
+
+    private static byte[] embedded(GltfValue uri, String text) {
+        int comma = text.indexOf(',');
+        if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
+            throw uri.error("is no base64 data");
+        }
+        try {
+            return Base64.getDecoder().decode(text.substring(comma + 1).getBytes(StandardCharsets.ISO_8859_1));
+        } catch (IllegalArgumentException notBase64) {
+            throw uri.error("is no valid base64 data");
+        }
+    }
+
+    /** Reads a file below the glTF file's own folder; nothing is fetched from elsewhere. */
+    private static byte[] beside(GltfValue uri, String text, Function<String, byte[]> neighbour) {
+        String name = decoded(uri, text);
+        boolean elsewhere = name.isEmpty() || name.contains(":") || name.contains("\\") || name.startsWith("/");
+        if (elsewhere || ("/" + name + "/").contains("/../")) {
+            throw uri.error("names no file beside this one", "put the buffer there, or embed it");
+        }
+        String named = "names " + ModelText.quoted(name) + ", which ";
+        byte[] bytes;
+        try {
+            bytes = neighbour.apply(name);
+        } catch (AssetException unusable) {
+            throw uri.error(named + unusable.reason(), unusable.remedy());
+        }
+        if (bytes == null) {
+            throw uri.error(named + "is not there", "put the file beside this one");
+        }
+        return bytes;
+    }
+
+    private static String decoded(GltfValue uri, String text) {
+        try {
+            return URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8);
+        } catch (IllegalArgumentException notEncoded) {
+            throw uri.error("is no address");
+        }
     }
 }

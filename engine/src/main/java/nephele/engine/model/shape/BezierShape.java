@@ -3,7 +3,6 @@ package nephele.engine.model.shape;
 import java.util.Locale;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 import org.joml.Vector3d;
 
 /**
@@ -70,7 +69,7 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
                         .texture(share(tessellation - column), share(tessellation - row));
             }
         }
-        GridTriangles.join(mesh, first, tessellation, tessellation, Diagonal.FALLING);
+        mesh.grid(first, tessellation, tessellation);
     }
 
     private double share(int parts) {

@@ -30,8 +30,8 @@ import nephele.workshop.prove.proof.ProofResult;
 import org.joml.Vector3d;
 
 /**
- * Compares random walks with the laws of light in clouds that have closed forms. Slabs are 100 m thick; one of three has a density
- * that varies with height.
+ * Compares random walks with the laws of light in clouds that have closed forms. Slabs are 100 m thick; one of three has
+ * a density that varies with height.
  */
 public final class CloudLawsProof implements Proof {
     private static final int SEED = 4;

@@ -147,7 +147,7 @@ final class PicturedEditor implements AutoCloseable {
 
     /** Returns the texts of a container that are cut off. */
     List<String> cut(Container part) {
-        return CutTexts.in(part, UserTexts.of(session));
+        return CutTexts.in(part, session);
     }
 
     /** Returns the texts of the whole editor that are cut off. */
