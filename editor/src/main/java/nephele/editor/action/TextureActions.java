@@ -139,7 +139,7 @@ final class TextureActions {
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
                 TexturePlacement placement = placing.apply(PaintedFace.of(face, materials.apply(face.material())));
-                Solid.Face authored = SolidFaces.said(result, face.name());
+                Solid.Face authored = SolidFaces.authored(result, face.name());
                 result = SolidFaces.with(
                         result,
                         face.name(),
