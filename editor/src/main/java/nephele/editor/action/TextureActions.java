@@ -22,8 +22,8 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
@@ -161,9 +161,8 @@ final class TextureActions {
         EditorSession session = call.session();
         Map.Entry<EntityRef, Set<String>> first =
                 faces(session.document()).entrySet().iterator().next();
-        Solid solid = (Solid) Entities.LEVEL
-                .find(session.document().level(), first.getKey())
-                .orElseThrow();
+        Solid solid = (Solid)
+                Entities.LEVEL.find(session.document().level(), first.getKey()).orElseThrow();
         String material = brushFaces(solid).stream()
                 .filter(face -> first.getValue().contains(face.name()))
                 .findFirst()
