@@ -19,7 +19,6 @@ class CatmullRomTest {
     private static final Vec3 A = new Vec3(1, 2, 3);
     private static final Vec3 B = new Vec3(4, 0, -1);
 
-
     private static Vector3d position(CatmullRom curve, double at) {
         return curve.position(at, new Vector3d());
     }
@@ -27,7 +26,6 @@ class CatmullRomTest {
     private static Vector3d derivative(CatmullRom curve, double at) {
         return curve.derivative(at, new Vector3d());
     }
-
 
     private static List<Vec3> randomPoints(SplittableRandom random) {
         List<Vec3> points = new ArrayList<>();
@@ -75,8 +73,8 @@ class CatmullRomTest {
     /** Halfway between points the weights are −1/16, 9/16, 9/16, −1/16 (Catmull and Rom 1974). */
     @Test
     void aUniformLoopIsCatmullsAndRoms() {
-        CatmullRom curve = new CatmullRom(
-                List.of(new Vec3(0, 0, 0), new Vec3(2, 0, 0), new Vec3(3, 5, 0), new Vec3(0, 5, 1)));
+        CatmullRom curve =
+                new CatmullRom(List.of(new Vec3(0, 0, 0), new Vec3(2, 0, 0), new Vec3(3, 5, 0), new Vec3(0, 5, 1)));
         assertEquals(0, position(curve, 0.125).distance(1.125 - 3 / 16.0, -10 / 16.0, -1 / 16.0), 1e-12);
     }
 
@@ -88,7 +86,10 @@ class CatmullRomTest {
             CatmullRom curve = new CatmullRom(points);
             for (int i = 0; i < points.size(); i++) {
                 assertEquals(
-                        0, position(curve, (double) i / points.size()).distance(points.get(i).toVector()), 1e-6);
+                        0,
+                        position(curve, (double) i / points.size())
+                                .distance(points.get(i).toVector()),
+                        1e-6);
             }
         }
     }
@@ -143,8 +144,6 @@ class CatmullRomTest {
         assertEquals(0, derivative(curve, before).distance(derivative(curve, after)), 2e-9 * bend + 1e-8);
     }
 
-
-
     @Test
     void onePointIsAConstantCurve() {
         CatmullRom still = new CatmullRom(List.of(A));
@@ -154,11 +153,9 @@ class CatmullRomTest {
         }
     }
 
-
     @Test
     void noPointsAndPlacesThatAreNoneAreRefused() {
         assertThrows(IllegalArgumentException.class, () -> new CatmullRom(List.of()));
         assertThrows(IllegalArgumentException.class, () -> new CatmullRom(List.of(new Vec3(0, Double.NaN, 0))));
     }
-
 }

@@ -41,7 +41,7 @@ public final class BillboardQuads implements GlObject {
 
     private final FloatBuffer groupValues;
     private final boolean moves;
-    private double shown = Double.NaN;
+    private double uploadedSeconds = Double.NaN;
     private final BufferTexture texels;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] arrays;
@@ -175,11 +175,11 @@ public final class BillboardQuads implements GlObject {
     }
 
     /** Collects the clusters that may be visible, by arrays of pictures, then by place. */
-    public void findSeen(Frustum frustum, List<Cluster> seen) {
-        seen.clear();
+    public void findVisible(Frustum frustum, List<Cluster> visible) {
+        visible.clear();
         for (int i = 0; i < clusters.size(); i++) {
             if (frustum.mayIntersect(clusters.get(i).bounds())) {
-                seen.add(clusters.get(i));
+                visible.add(clusters.get(i));
             }
         }
     }
@@ -209,10 +209,10 @@ public final class BillboardQuads implements GlObject {
 
     /** Moves them to a time. */
     public void follow(double seconds) {
-        if (seconds == shown || !moves && !Double.isNaN(shown)) {
+        if (seconds == uploadedSeconds || !moves && !Double.isNaN(uploadedSeconds)) {
             return;
         }
-        shown = seconds;
+        uploadedSeconds = seconds;
         groupValues.clear();
         for (Billboards group : groups) {
             double wind = group.windMetresPerSecond();
