@@ -16,8 +16,8 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * The files of sample levels that are no pictures: a vase as OBJ and a knot as glTF for the level of models, a grid of densities for
- * that of grids.
+ * The files of sample levels that are no pictures: a vase as OBJ and a knot as glTF for the level of models, a grid of
+ * densities for that of grids.
  */
 final class SampleFiles {
     private static final int KNOT_STEPS = 160;
