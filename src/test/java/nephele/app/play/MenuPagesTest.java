@@ -24,7 +24,7 @@ import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.DrawnBounds;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.host.compare.TechniquePair;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
@@ -48,7 +48,7 @@ class MenuPagesTest {
     @Test
     void noPageReachesOutOfItsWindow() throws IOException {
         MenuPages pages = new MenuPages(folder);
-        Hud hud = new Hud(new Lettering());
+        Hud hud = new Hud(new FontAtlas());
         int seen = 0;
         for (Language language : Language.values()) {
             for (Menu page : pages.in(language)) {

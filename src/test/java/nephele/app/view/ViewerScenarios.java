@@ -60,7 +60,7 @@ public final class ViewerScenarios {
                 new Scenario(
                         "moves alone",
                         () -> input.key(GLFW_KEY_D, true),
-                        () -> place().spring().shownRight() > 0),
+                        () -> place().spring().currentRight() > 0),
                 new Scenario(
                         "takes the camera along", () -> {}, () -> place().eye().x() < -0.5),
                 new Scenario("rests again", () -> input.key(GLFW_KEY_D, false), () -> place().bankDegrees() == 0),

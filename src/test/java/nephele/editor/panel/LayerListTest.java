@@ -23,7 +23,6 @@ import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.Words;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.terrain.LayerPaint;
@@ -52,7 +51,7 @@ class LayerListTest {
             map.texels()[2 * i] = (byte) (i % 3);
             map.texels()[2 * i + 1] = (byte) (i * 37);
         }
-        Files.write(folder.resolve("paint.png"), LayerMapFile.png(map));
+        Files.write(folder.resolve("paint.png"), map.png());
         Files.writeString(
                 level.file(),
                 Files.readString(level.file())
@@ -78,7 +77,7 @@ class LayerListTest {
     }
 
     private LayerMap map() {
-        return session.assets().decoded(PaintedLevel.terrain(session).layerMap(), LayerMap.class, LayerMapFile::read);
+        return session.assets().decoded(PaintedLevel.terrain(session).layerMap(), LayerMap.class, LayerMap::read);
     }
 
     /** Returns the weight of each material at a texel, the mixture under the paint as {@code bare}. */

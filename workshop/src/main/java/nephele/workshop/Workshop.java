@@ -137,8 +137,7 @@ public final class Workshop {
             terminal.out().println(ProofTable.summary(proof, result));
             if (record || result.units() >= proof.claim().fullCount()) {
                 String date = LocalDate.now(ZoneOffset.UTC).toString();
-                new ProofTable(TABLE)
-                        .write(proof, result, new ProofTable.Circumstances(date, commit, Provenance.machine()));
+                new ProofTable(TABLE).write(proof, result, date, commit, Provenance.machine());
             }
             return result;
         }

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import nephele.app.window.SystemDisplay;
-import nephele.editor.pane.OpeningViews;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorFiles;
@@ -83,7 +82,7 @@ final class EditCommand implements Command {
         DocumentFile.Opened opened = level == null ? DocumentFile.untitled() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
-        session.panes(panes -> OpeningViews.of(opened.level(), panes));
+        session.panes(panes -> panes.opened(opened.level()));
         session.fileServices(FileServices.of(files).with(EditCommand::importScene));
         session.proving().trade().madeBy(EditCommand::tradeReport);
         if (script != null) {

@@ -12,7 +12,6 @@ import nephele.engine.model.file.MeshText;
 import nephele.engine.model.shape.BezierPatches;
 import nephele.engine.model.shape.BezierShape;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.Shape;
 import nephele.engine.model.shape.ShapeKind;
 import nephele.engine.model.shape.ShapeParameter;
@@ -137,7 +136,7 @@ final class GenerateCommand implements Command {
         if (!(shape instanceof PlaneShape plane)) {
             throw CommandFailure.usage("--two-sided belongs to plane: a " + kind.word() + " has no second side");
         }
-        return new PlaneShape(plane.length(), plane.divisions(), Sides.BOTH);
+        return new PlaneShape(plane.length(), plane.divisions(), true);
     }
 
     private byte[] grown(Family family, List<String> words) {

@@ -17,7 +17,6 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
-import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -102,8 +101,9 @@ final class RenderCommand implements Command {
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.apply(0), timeSeconds), picture);
-            reference.trace(seen, picture, out, radiance -> save(radiance, seen.opened()), terminal);
+            var viewed = reference.exposed(
+                    new ReferenceOptions.ViewedLevel(opened, viewpoint.apply(0), timeSeconds), picture);
+            reference.trace(viewed, picture, out, radiance -> save(radiance, viewed.opened()), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();
@@ -190,7 +190,7 @@ final class RenderCommand implements Command {
                 Capture.pfm(radiance, width, picture.size().height(), file);
             } else {
                 var environment = opened.level().environment();
-                Capture.png(ToneMappedPicture.of(radiance, width, environment, picture.output(opened)), file);
+                Capture.png(Capture.toneMapped(radiance, width, environment, picture.output(opened)), file);
             }
         });
     }

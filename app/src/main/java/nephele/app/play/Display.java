@@ -10,16 +10,15 @@ import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineDrawing;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.FrameState;
@@ -43,9 +42,9 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
-    private static final OverlayColour BLACK = OverlayColour.opaque(0);
+    private static final DisplayColour BLACK = DisplayColour.opaque(0);
 
-    private static final LineColour OUTLINE = LineColour.of(0xFFD24A, 0.8);
+    private static final DisplayColour OUTLINE = DisplayColour.of(0xFFD24A, 0.8);
     private static final double OUTLINE_PIXELS = 1.5;
     /** Frames of the first view that only compile programs. */
     private static final int FIRST_VIEW_WARM_UP = 2;
@@ -55,14 +54,14 @@ final class Display implements AutoCloseable {
 
     private final GameWindow window;
     private final GlContext gl;
-    private final Lettering lettering = new Lettering();
+    private final FontAtlas letters = new FontAtlas();
     private final OverlayPass overlay;
     private final LineCanvas outlines = new LineCanvas();
     /** {@code null} before there is an observer. */
     private LineDrawing lines;
 
-    private final Hud hud = new Hud(lettering);
-    private final OverlayCanvas veil = new OverlayCanvas(lettering);
+    private final Hud hud = new Hud(letters);
+    private final OverlayCanvas veil = new OverlayCanvas(letters);
     private final Screenshots screenshots;
     private final Message message;
     private final FrameCost cost;
@@ -78,7 +77,7 @@ final class Display implements AutoCloseable {
         this.gl = gl;
         this.screenshots = screenshots;
         this.message = message;
-        overlay = new OverlayPass(gl, lettering);
+        overlay = new OverlayPass(gl, letters);
         cost = new FrameCost(gl);
         title = new TitlePicture(gl);
     }

@@ -9,7 +9,7 @@ import nephele.app.window.GameWindow;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 
@@ -43,8 +43,8 @@ final class ViewerOverlay implements AutoCloseable {
             new Hint("H", Phrase.VIEWER_KEYS),
             new Hint("Escape", Phrase.VIEWER_LEAVE));
 
-    private final Lettering lettering = new Lettering();
-    private final OverlayCanvas canvas = new OverlayCanvas(lettering);
+    private final FontAtlas letters = new FontAtlas();
+    private final OverlayCanvas canvas = new OverlayCanvas(letters);
     private final OverlayPass pass;
     private final Language language;
     private double hintSeconds = SHOWN_SECONDS + FADE_SECONDS;
@@ -57,7 +57,7 @@ final class ViewerOverlay implements AutoCloseable {
 
     ViewerOverlay(GlContext gl, Language language) {
         this.language = language;
-        pass = new OverlayPass(gl, lettering);
+        pass = new OverlayPass(gl, letters);
     }
 
     void say(String words) {

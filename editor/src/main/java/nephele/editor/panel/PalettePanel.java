@@ -30,7 +30,7 @@ import nephele.editor.document.Registration;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
@@ -96,7 +96,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         shape(shapes, PanelText.ARCH, "arch", new ShapeOptions.Arch(12, 0.5));
         shape(shapes, PanelText.CYLINDER, "cylinder", new ShapeOptions.Cylinder(16));
         for (EntityWords.Group group : EntityWords.Group.values()) {
-            List<PaletteEntry> entries = PaletteEntry.below(LevelStructure.LEVEL, group);
+            List<PaletteEntry> entries = PaletteEntry.below(Entities.LEVEL, group);
             if (group == EntityWords.Group.SOLIDS) {
                 materials(group(PanelText.MATERIALS.in(language), 3));
             }

@@ -128,8 +128,6 @@ public final class WindowedEditing {
         }
     }
 
-    /** Tells what happens to the game. */
-
     /** Follows the waiting game; that it waits is no news for the user. */
     private void follow(PlayAnswer answer) {
         if (answer instanceof PlayAnswer.Playing) {

@@ -29,7 +29,7 @@ public final class QualityController {
     /** Frames over budget in the whole window that make it go down. */
     private static final int TOO_SLOW_IN_WINDOW = 7;
 
-    /** The share of the budget that the first decision and a way down aim at, and that a climb may need. */
+    /** The fraction of the budget that the first decision and a way down aim at, and that a climb may need. */
     private static final double AIM = 0.8;
 
     /** The quantile of frame costs that a climb regards; the frames above it are hitches of the system. */
@@ -38,7 +38,7 @@ public final class QualityController {
     /** The last windows from which a level's cost is learned: ten minutes at 30 frames a second. */
     private static final int LEARNED_WINDOWS = 200;
 
-    private static final double LEARNED_SHARE = 0.75;
+    private static final double LEARNED_FRACTION = 0.75;
 
     private static final double CLIMB_SECONDS = 10;
     private static final double LONGEST_CLIMB_SECONDS = 320;
@@ -94,7 +94,7 @@ public final class QualityController {
         int count = Math.min(learnedWindows, LEARNED_WINDOWS);
         double[] rising = Arrays.copyOf(learned, count);
         Arrays.sort(rising);
-        return count == 0 ? 0 : rising[(int) Math.round(LEARNED_SHARE * (count - 1))];
+        return count == 0 ? 0 : rising[(int) Math.round(LEARNED_FRACTION * (count - 1))];
     }
 
     /** Returns what quality {@code high} would cost where a frame of the current point costs {@code millis}. */
@@ -224,11 +224,11 @@ public final class QualityController {
         return sorted[size / 2];
     }
 
-    private double quantile(double share) {
+    private double quantile(double fraction) {
         int size = counted();
         System.arraycopy(window, 0, sorted, 0, size);
         Arrays.sort(sorted, 0, size);
-        return sorted[(int) Math.round(share * (size - 1))];
+        return sorted[(int) Math.round(fraction * (size - 1))];
     }
 
     /** Returns the cost that nearly all of the last frames stay below, ms; 0 before any was measured. */

@@ -15,7 +15,7 @@ import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.DrawnBounds;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.scene.ShotPalette;
 import nephele.host.compare.Wipe;
@@ -37,7 +37,7 @@ class OverlayLayoutTest {
 
     private static final double ROUNDING = 1e-6;
 
-    private final Hud hud = new Hud(new Lettering());
+    private final Hud hud = new Hud(new FontAtlas());
     private int seen;
 
     @Execution(ExecutionMode.SAME_THREAD) // the overlay is one

@@ -50,7 +50,7 @@ final class CrossingsProofTest {
     @Test
     void everyKindOfBodyIsThrown() {
         Set<Class<?>> kinds = new HashSet<>();
-        PortalRoom.Place room = PortalRoom.of(new SplittableRandom(0));
+        PortalRoom room = PortalRoom.of(new SplittableRandom(0));
         for (int seed = 0; seed < 50; seed++) {
             kinds.add(new CrossingBodies(room, 120, seed).body().getClass());
         }

@@ -1,7 +1,7 @@
 package nephele.app.play.hud;
 
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
 import nephele.host.playthrough.CrosshairState.Shot;
@@ -62,13 +62,13 @@ final class Crosshair {
         }
     }
 
-    private static OverlayColour colour(HudContent.Sight sight, int shot) {
-        return OverlayColour.opaque(sight.palette().overlay(shot));
+    private static DisplayColour colour(HudContent.Sight sight, int shot) {
+        return DisplayColour.opaque(sight.palette().overlay(shot));
     }
 
     /** @param glyph a half ring, filled or hollow */
     private static void half(
-            OverlayCanvas canvas, double left, double y, Half half, String glyph, OverlayColour colour) {
+            OverlayCanvas canvas, double left, double y, Half half, String glyph, DisplayColour colour) {
         boolean opens = half.shot() == Shot.OPENS;
         edged(canvas, left, y + RISE, EM, opens ? colour : colour.withAlpha(REFUSED_ALPHA), glyph);
     }
@@ -78,7 +78,7 @@ final class Crosshair {
     }
 
     private static void edged(
-            OverlayCanvas canvas, double x, double baseline, double em, OverlayColour colour, String letter) {
+            OverlayCanvas canvas, double x, double baseline, double em, DisplayColour colour, String letter) {
         canvas.text(x - EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x + EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x, baseline - EDGE, em, HudPalette.SHADOW, letter);

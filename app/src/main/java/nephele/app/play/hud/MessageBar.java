@@ -13,9 +13,9 @@ final class MessageBar {
     private static final double EM = 19;
     private static final double LINE_HEIGHT = 25;
     private static final double PADDING = 14;
-    private static final double BOTTOM_SHARE = 0.067;
-    private static final double TOP_SHARE = 0.78;
-    private static final double WIDTH_SHARE = 0.9;
+    private static final double BOTTOM_FRACTION = 0.067;
+    private static final double TOP_FRACTION = 0.78;
+    private static final double WIDTH_FRACTION = 0.9;
     private static final double FULL_SIZE_HEIGHT = 540;
     private static final double LEAST_SCALE = 0.65;
     /** The scale of a long message in relation to a short one's. */
@@ -55,16 +55,16 @@ final class MessageBar {
     }
 
     private List<String> broken(double at, String message) {
-        return TextLines.of(canvas, at * EM, width(at), message);
+        return TextLines.broken(canvas, at * EM, width(at), message);
     }
 
     /** Returns the greatest width of a line. */
     private double width(double at) {
-        return Math.min(WIDTH_SHARE * area.width(), room.width()) - 2 * at * PADDING;
+        return Math.min(WIDTH_FRACTION * area.width(), room.width()) - 2 * at * PADDING;
     }
 
     private boolean fits(double at, int count) {
-        return bottom() - at * (count * LINE_HEIGHT + 2 * PADDING) >= TOP_SHARE * area.height();
+        return bottom() - at * (count * LINE_HEIGHT + 2 * PADDING) >= TOP_FRACTION * area.height();
     }
 
     private List<String> cut(List<String> whole) {
@@ -76,7 +76,7 @@ final class MessageBar {
     }
 
     private double bottom() {
-        return Math.min(room.bottom(), Math.rint((1 - BOTTOM_SHARE) * area.height()));
+        return Math.min(room.bottom(), Math.rint((1 - BOTTOM_FRACTION) * area.height()));
     }
 
     Box box() {

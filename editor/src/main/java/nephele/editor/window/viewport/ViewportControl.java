@@ -22,7 +22,6 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
@@ -299,8 +298,8 @@ final class ViewportControl extends MouseAdapter {
         return PerspectiveCamera.dolly((PerspectiveCamera) before, notches, sight, distance);
     }
 
-    private void fly(FlightKeys keys, double metres) {
-        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres, 1) : before);
+    private void fly(Vec3 keys, double metres) {
+        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres) : before);
     }
 
     /** Takes a key that belongs to the flight or to the tool; returns false for any other. */

@@ -2,7 +2,6 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.noise.CloudTables;
@@ -54,15 +53,6 @@ public final class CloudFields {
     }
 
     /**
-     * Returns the field of a cloud over flat ground at time 0.
-     *
-     * @throws AssetException if a picture or grid of the cloud is unusable
-     */
-    public static ExtinctionField of(Cloud cloud, AssetSource assets) throws AssetException {
-        return of(cloud, assets, 0);
-    }
-
-    /**
      * Returns the field of a cloud over flat ground.
      *
      * @param seconds simulated time
@@ -104,7 +94,7 @@ public final class CloudFields {
         }
         Aabb sides = voxels.box();
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
-            VolFile.requireArea(grid.file(), sides);
+            VoxelGrid.requireArea(grid.file(), sides);
         }
         Aabb tile = new Aabb(sides.minX(), bounds.minY(), sides.minZ(), sides.maxX(), bounds.maxY(), sides.maxZ());
         Vec3 by = driftWithin(tile.maxX() - tile.minX(), tile.maxZ() - tile.minZ());

@@ -6,7 +6,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
@@ -35,7 +34,7 @@ record CloudFiles(VoxelGrid voxels, boolean areDepths, CloudTables tables) {
      */
     static CloudFiles of(Cloud cloud, AssetSource assets, LongFunction<CloudTables> tables) {
         if (cloud.density() instanceof Cloud.Density.Grid grid) {
-            return new CloudFiles(VolFile.parse(grid.file(), assets.bytes(grid.file())), false, null);
+            return new CloudFiles(VoxelGrid.read(grid.file(), assets.bytes(grid.file())), false, null);
         }
         if (cloud.density() instanceof Cloud.Density.Image image) {
             Picture picture = picture(image.file(), assets);

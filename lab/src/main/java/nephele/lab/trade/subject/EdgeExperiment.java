@@ -8,7 +8,6 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -80,7 +79,7 @@ public final class EdgeExperiment implements Experiment {
             LinearPicture test = still.displayed(site.gl(), renderer, 1).get(0);
             ErrorMap flip = Flip.ofDisplayed(exactStill, test);
             List<Double> figures = List.of(
-                    Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1)),
+                    ImageError.shimmer(exactPath, path.displayed(site.gl(), renderer, 1)),
                     ImageError.rootMeanSquare(exactStill, test, nearEdges),
                     flip.quantile(0.99));
             return new Judgement(flip.mean(), figures, shown(test), flip);

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Billboards.Facing;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
@@ -88,8 +88,8 @@ final class PlantExperiment implements Experiment {
         drawExact();
         List<Double> figures = new ArrayList<>(still.figures());
         try (var renderer = pictures.renderer(pictures.shot(setting))) {
-            figures.add(Shimmer.of(exactTurning, turning.displayed(site.gl(), renderer, 1)));
-            figures.add(Shimmer.of(exactMoving, moving.displayed(site.gl(), renderer, 1)));
+            figures.add(ImageError.shimmer(exactTurning, turning.displayed(site.gl(), renderer, 1)));
+            figures.add(ImageError.shimmer(exactMoving, moving.displayed(site.gl(), renderer, 1)));
         }
         return new Judgement(still.error(), List.copyOf(figures), still.shown(), still.map());
     }

@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Overshoot;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -62,7 +61,7 @@ final class UpscaleExperiment implements Experiment {
                         level.still.displayed(site.gl(), renderer, 1).get(0);
                 stills.add(still);
                 flips.add(Flip.ofDisplayed(level.whole, still));
-                shimmers.add(Shimmer.of(level.exactPath, level.path.displayed(site.gl(), renderer, 1)));
+                shimmers.add(ImageError.shimmer(level.exactPath, level.path.displayed(site.gl(), renderer, 1)));
             }
         }
         List<Double> errors = flips.stream().map(ErrorMap::mean).toList();
@@ -129,7 +128,8 @@ final class UpscaleExperiment implements Experiment {
                 int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
                 System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
             }
-            return Overshoot.codes(enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
+            return ImageError.overshoot(
+                    enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
         }
 
         private byte[] stored(Shot shot, int width, int height) {

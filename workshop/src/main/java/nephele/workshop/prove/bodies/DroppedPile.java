@@ -17,8 +17,9 @@ import org.joml.Quaterniond;
 import org.joml.Vector3dc;
 
 /**
- * One to four boxes, balls and capsules of random size, mass, orientation and motion, above each other in the air of a closed room, clear of each other and of every wall. Every third
- * pile is above or beside a pair of portals. The pile's number determines all of it.
+ * One to four boxes, balls and capsules of random size, mass, orientation and motion, above each other in the air of a
+ * closed room, clear of each other and of every wall. Every third pile is above or beside a pair of portals. The pile's
+ * number determines all of it.
  *
  * @param heightMetres from the floor, which is at 0, to the ceiling
  * @param starts initial state of each body of the table

@@ -21,8 +21,8 @@ import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
 
 /**
- * Frames of a flight through clouds, 60 a second: by a quality that uses earlier frames, and by one that does not. Pictures are
- * linear light as displayed at exposure 0.
+ * Frames of a flight through clouds, 60 a second: by a quality that uses earlier frames, and by one that does not.
+ * Pictures are linear light as displayed at exposure 0.
  */
 final class CloudFlight implements AutoCloseable {
     private static final double FRAMES_A_SECOND = 60;

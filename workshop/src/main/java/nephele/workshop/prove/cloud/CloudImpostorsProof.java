@@ -100,8 +100,9 @@ public final class CloudImpostorsProof implements Proof {
     }
 
     /**
-     * Counts the pixels of clouds that are where they should be: each value of such a pixel is one of those that the right picture
-     * has up to a pixel away, or between them. Looks at every fourth pixel along both sides that has an optical depth above 0.01.
+     * Counts the pixels of clouds that are where they should be: each value of such a pixel is one of those that the
+     * right picture has up to a pixel away, or between them. Looks at every fourth pixel along both sides that has an
+     * optical depth above 0.01.
      */
     private static final class PixelTolerance {
         private static final int STEP = 4;

@@ -7,8 +7,8 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * The lit part of a face, from the point of view of the light. Where it is narrower than a texel's diagonal it may fall between the
- * texels of the shadow map.
+ * The lit part of a face, from the point of view of the light. Where it is narrower than a texel's diagonal it may fall
+ * between the texels of the shadow map.
  *
  * @param brushes all that may cast shadows, and the face's own
  * @param place on the face

@@ -109,8 +109,8 @@ public final class SceneCullingProof implements Proof {
     }
 
     /**
-     * Returns a scene of models in groups up to four deep, moved, rotated, scaled along the axes, mirrored and animated, around
-     * a random view.
+     * Returns a scene of models in groups up to four deep, moved, rotated, scaled along the axes, mirrored and animated,
+     * around a random view.
      */
     private static XmlScene scene(SplittableRandom random) {
         List<XmlGroup> groups = new ArrayList<>();

@@ -30,7 +30,7 @@ final class CrossingBodies {
     private static final double SECONDS_AFTER = 0.25;
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0);
 
-    private final PortalRoom.Place place;
+    private final PortalRoom room;
     private final SeamedClearance clearance;
     private final PortalWorld surroundings;
     private final BodyTable table;
@@ -44,10 +44,10 @@ final class CrossingBodies {
     private final Vector3d centre = new Vector3d();
     private final Quaterniond orientation = new Quaterniond();
 
-    CrossingBodies(PortalRoom.Place place, int ticksPerSecond, long number) {
-        this.place = place;
-        clearance = new SeamedClearance(place);
-        surroundings = PortalWorld.of(place.world(), place.portals());
+    CrossingBodies(PortalRoom room, int ticksPerSecond, long number) {
+        this.room = room;
+        clearance = new SeamedClearance(room);
+        surroundings = PortalWorld.of(room.world(), room.portals());
         seconds = 1.0 / ticksPerSecond;
         var random = new SplittableRandom(~number);
         double half = random.nextDouble(MIN_HALF_METRES, MAX_HALF_METRES);
@@ -155,7 +155,7 @@ final class CrossingBodies {
     }
 
     private boolean isInside(Bodies bodies) {
-        return place.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
+        return room.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
     }
 
     private String of(BodyState start) {
@@ -171,7 +171,7 @@ final class CrossingBodies {
     /** Returns a start in front of one of the portals, moving towards it; {@code null} if no draw is free. */
     private BodyState start(SplittableRandom random) {
         for (int i = 0; i < 20; i++) {
-            Portal entry = place.portals().portal(random.nextInt(2));
+            Portal entry = room.portals().portal(random.nextInt(2));
             Vec3 from = entry.world(
                     random.nextDouble(-0.5, 0.5), random.nextDouble(-0.9, 0.9), random.nextDouble(0.01, 0.8));
             Vec3 n = entry.normal();
@@ -184,7 +184,7 @@ final class CrossingBodies {
             Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : axis.scaled(10);
             orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
             BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
-            if (place.holds(from) && isFree(state)) {
+            if (room.holds(from) && isFree(state)) {
                 return state;
             }
         }

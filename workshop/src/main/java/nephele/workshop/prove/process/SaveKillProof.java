@@ -20,8 +20,8 @@ import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
 /**
- * Kills processes that save files of one kind in generations, each with a content of its own size, at random moments, and reads the files that remain. A unit is a kill within a save;
- * a kill between two saves is repeated.
+ * Kills processes that save files of one kind in generations, each with a content of its own size, at random moments, and
+ * reads the files that remain. A unit is a kill within a save; a kill between two saves is repeated.
  */
 public enum SaveKillProof implements Proof {
     /** Saves levels as the editor does. */

@@ -1,4 +1,4 @@
-package nephele.editor.record;
+package nephele.editor.added;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,6 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.editor.action.ScriptedSession;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntitySection;
+import nephele.editor.record.SingleSection;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
@@ -17,16 +20,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 @Execution(ExecutionMode.CONCURRENT)
-class PrototypesTest {
+class AddedRecordTest {
     private static final Vec3 AT = new Vec3(1, 2, 3);
 
     static Stream<String> everyKind() {
-        LevelStructure structure = LevelStructure.LEVEL;
-        Stream<String> lists = structure.lists().stream()
+        Entities entities = Entities.LEVEL;
+        Stream<String> lists = entities.lists().stream()
                 .flatMap(section -> section.kinds().stream().map(kind -> section.path() + "." + kind.name()));
         return Stream.concat(
                 lists,
-                structure.singles().stream()
+                entities.singles().stream()
                         .filter(SingleSection::isOptional)
                         .flatMap(section -> section.kinds().stream().map(kind -> section.path() + "." + kind.name())));
     }
@@ -48,7 +51,7 @@ class PrototypesTest {
                         "terrains",
                         "billboards",
                         "hints"),
-                LevelStructure.LEVEL.lists().stream().map(EntitySection::path).toList());
+                Entities.LEVEL.lists().stream().map(EntitySection::path).toList());
         assertEquals(
                 List.of(
                         "",
@@ -62,7 +65,7 @@ class PrototypesTest {
                         "observer",
                         "par",
                         "landmark"),
-                LevelStructure.LEVEL.singles().stream().map(SingleSection::path).toList());
+                Entities.LEVEL.singles().stream().map(SingleSection::path).toList());
     }
 
     @ParameterizedTest

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
-class HeightMapFileTest {
+class HeightMapTest {
     private static final int[] VALUES = {0, 1, 255, 256, 32768, 65535};
 
     private static byte[] picture(String format, int type, int columns, int rows, int... values) throws IOException {
@@ -69,7 +69,7 @@ class HeightMapFileTest {
 
     @Test
     void allSixteenBitsOfAPngAreKept() throws IOException {
-        HeightMap map = HeightMapFile.read("a.png", png(BufferedImage.TYPE_USHORT_GRAY, 3, 2, VALUES));
+        HeightMap map = HeightMap.read("a.png", png(BufferedImage.TYPE_USHORT_GRAY, 3, 2, VALUES));
         assertEquals(16, map.bits());
         assertArrayEquals(VALUES, values(map));
     }
@@ -77,8 +77,8 @@ class HeightMapFileTest {
     @Test
     void rawHeightsHaveTheirLowByteFirst() {
         int[] square = {0, 1, 256, 65535};
-        assertArrayEquals(square, values(HeightMapFile.read("a.r16", raw(square))));
-        assertEquals(2, HeightMapFile.read("A.R16", raw(square)).rows());
+        assertArrayEquals(square, values(HeightMap.read("a.r16", raw(square))));
+        assertEquals(2, HeightMap.read("A.R16", raw(square)).rows());
     }
 
     static Stream<Arguments> ofEightBits() throws IOException {
@@ -95,7 +95,7 @@ class HeightMapFileTest {
     @ParameterizedTest
     @MethodSource("ofEightBits")
     void eightBitsFillTheSameRange(String name, byte[] bytes) {
-        HeightMap map = HeightMapFile.read(name, bytes);
+        HeightMap map = HeightMap.read(name, bytes);
         assertEquals(8, map.bits());
         assertArrayEquals(new int[] {0, 257, 128 * 257, 65535}, values(map));
     }
@@ -106,7 +106,7 @@ class HeightMapFileTest {
         image.setRGB(1, 1, 0xff0000);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         ImageIO.write(image, "png", bytes);
-        assertEquals(65535 / 3, HeightMapFile.read("a.png", bytes.toByteArray()).value(1, 1));
+        assertEquals(65535 / 3, HeightMap.read("a.png", bytes.toByteArray()).value(1, 1));
     }
 
     private static byte[] claiming(byte[] png, int columns, int rows) {
@@ -143,7 +143,7 @@ class HeightMapFileTest {
     @ParameterizedTest
     @MethodSource("bad")
     void aBadMapIsRefusedWithItsNameTheReasonAndARemedy(String name, byte[] bytes, String reason, String remedy) {
-        AssetException told = assertThrows(AssetException.class, () -> HeightMapFile.read(name, bytes));
+        AssetException told = assertThrows(AssetException.class, () -> HeightMap.read(name, bytes));
         assertTrue(
                 told.getMessage().startsWith(name + ": " + reason)
                         || told.getMessage().contains(reason),
@@ -164,7 +164,7 @@ class HeightMapFileTest {
     @ValueSource(strings = {"bench", "hills", "stones"})
     void exchangedBytesOfShippedMapsAreTold(String name) {
         String id = "terrain/" + name + ".png";
-        HeightMap map = HeightMapFile.read(id, new ResourceAssets("/assets").bytes(id));
+        HeightMap map = HeightMap.read(id, new ResourceAssets("/assets").bytes(id));
         assertEquals(16, map.bits());
         assertFalse(map.seemsSwapped());
         assertTrue(swapped(map).seemsSwapped());
