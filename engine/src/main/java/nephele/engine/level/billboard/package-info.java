@@ -3,4 +3,3 @@
  * and how they are turned.
  */
 package nephele.engine.level.billboard;
-

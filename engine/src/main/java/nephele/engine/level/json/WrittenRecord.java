@@ -21,7 +21,8 @@ public final class WrittenRecord {
         for (int i = 0; i < components.length; i++) {
             RecordFormat.FieldFormat field = format.field(i);
             Written written = components[i].getAnnotation(Written.class);
-            Object prototype = written.prototype().isEmpty() ? null : field.format().parsed(written.prototype(), "prototype");
+            Object prototype =
+                    written.prototype().isEmpty() ? null : field.format().parsed(written.prototype(), "prototype");
             Range range = components[i].getAnnotation(Range.class);
             fields.add(new WrittenField(
                     field.name(),
