@@ -13,6 +13,7 @@ import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
@@ -136,8 +137,7 @@ public final class PaintTool implements Tool {
         Solid solid = FacesUnderPointer.solid(painted, face);
         Solid changed = changed(solid, face, pointer);
         if (changed != solid) {
-            painted = (Level)
-                    context.document().entities().changed(painted, List.of(face.solid()), before -> (Record) changed);
+            painted = Entities.LEVEL.changed(painted, List.of(face.solid()), before -> (Record) changed);
         }
     }
 

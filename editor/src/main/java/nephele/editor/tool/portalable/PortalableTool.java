@@ -7,6 +7,7 @@ import java.util.Set;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
@@ -105,7 +106,7 @@ public final class PortalableTool implements Tool {
         Boolean wanted = solid.portalable() == isPermitting ? null : (Boolean) isPermitting;
         Solid other =
                 SolidFaces.with(solid, face.face(), new Solid.Face(authored.material(), wanted, authored.texture()));
-        changed = (Level) context.document().entities().changed(changed, List.of(face.solid()), same -> (Record) other);
+        changed = Entities.LEVEL.changed(changed, List.of(face.solid()), same -> (Record) other);
     }
 
     @Override
