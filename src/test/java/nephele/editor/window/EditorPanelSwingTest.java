@@ -25,22 +25,22 @@ import javax.swing.JLabel;
 import javax.swing.JMenuBar;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
-import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction;
+import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PanePoint;
-import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout;
+import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.session.Tools;
 import nephele.editor.text.Words;
@@ -252,9 +252,7 @@ class EditorPanelSwingTest {
 
     private Vec3 selectedCentre() {
         EntityRef ref = session.document().selection().entities().get(0);
-        Record solid = Entities.LEVEL
-                .find(session.document().level(), ref)
-                .orElseThrow();
+        Record solid = Entities.LEVEL.find(session.document().level(), ref).orElseThrow();
         return EntityBounds.of(solid).centre();
     }
 

@@ -123,8 +123,7 @@ final class EntityActions {
                 ADD,
                 null,
                 before -> new Snapshot(
-                        AddedRecord.completed(
-                                before.level(), Entities.LEVEL.added(before.level(), section, entity)),
+                        AddedRecord.completed(before.level(), Entities.LEVEL.added(before.level(), section, entity)),
                         Selection.of(new EntityRef(section, id))));
     }
 

@@ -67,12 +67,7 @@ final class SelectActions {
             EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), SelectActions::hide)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
-            EditorAction.of(
-                            "isolate",
-                            ISOLATE,
-                            Menu.SELECT,
-                            List.of("Shift+H"),
-                            SelectActions::isolate)
+            EditorAction.of("isolate", ISOLATE, Menu.SELECT, List.of("Shift+H"), SelectActions::isolate)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
@@ -146,9 +141,7 @@ final class SelectActions {
     private static void users(ActionCall call) {
         Document document = call.session().document();
         Set<EntityRef> users = new LinkedHashSet<>();
-        document.selection()
-                .entities()
-                .forEach(ref -> users.addAll(Entities.LEVEL.usages(document.level(), ref)));
+        document.selection().entities().forEach(ref -> users.addAll(Entities.LEVEL.usages(document.level(), ref)));
         document.select(Selection.of(users));
     }
 

@@ -22,8 +22,8 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
@@ -139,7 +139,7 @@ final class TextureActions {
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
                 TexturePlacement placement = placing.apply(PaintedFace.of(face, materials.apply(face.material())));
-                Solid.Face authored = SolidFaces.said(result, face.name());
+                Solid.Face authored = SolidFaces.authored(result, face.name());
                 result = SolidFaces.with(
                         result,
                         face.name(),
@@ -161,9 +161,8 @@ final class TextureActions {
         EditorSession session = call.session();
         Map.Entry<EntityRef, Set<String>> first =
                 faces(session.document()).entrySet().iterator().next();
-        Solid solid = (Solid) Entities.LEVEL
-                .find(session.document().level(), first.getKey())
-                .orElseThrow();
+        Solid solid = (Solid)
+                Entities.LEVEL.find(session.document().level(), first.getKey()).orElseThrow();
         String material = brushFaces(solid).stream()
                 .filter(face -> first.getValue().contains(face.name()))
                 .findFirst()

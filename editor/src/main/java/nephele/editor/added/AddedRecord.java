@@ -179,9 +179,7 @@ public final class AddedRecord {
         }
         Level result = level.cameras().isEmpty() ? added(level, "cameras", "camera", new Vec3(0, 2, 8)) : level;
         RecordKind player = RecordKind.of(PlayerStart.class);
-        return result.player() != null
-                ? result
-                : Entities.LEVEL.added(result, "player", at(player, "", Vec3.ZERO));
+        return result.player() != null ? result : Entities.LEVEL.added(result, "player", at(player, "", Vec3.ZERO));
     }
 
     private Level planted(Level level) {

@@ -66,8 +66,7 @@ public final class Clip {
      * @param by displacement of what is pasted, metres
      * @throws LevelFormatException if the text is no level
      */
-    public static Snapshot pasted(Snapshot before, String text, Vec3 by)
-            throws LevelFormatException {
+    public static Snapshot pasted(Snapshot before, String text, Vec3 by) throws LevelFormatException {
         Level clip = LevelJson.read("clipboard", text.getBytes(StandardCharsets.UTF_8));
         Level level = before.level();
         Map<String, Map<String, String>> newIds = freshIds(clip, level);

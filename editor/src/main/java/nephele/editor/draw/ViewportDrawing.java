@@ -160,8 +160,7 @@ public final class ViewportDrawing implements AutoCloseable {
                         PixelFormat.RGBA8,
                         pane.place().width(),
                         pane.place().height());
-        DrawnPane now =
-                new DrawnPane(picture, drawn.wanted(), pane, frame.marks(), frame.look(), light, changed(pane));
+        DrawnPane now = new DrawnPane(picture, drawn.wanted(), pane, frame.marks(), frame.look(), light, changed(pane));
         drawnPanes.put(index, now);
         if (before == null || !before.isSame(now)) {
             panes.draw(drawn, pane, frame, picture);

@@ -123,7 +123,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return (Solid) ofSolid.apply((Record) solid);
         }
         return SolidFaces.names(solid).contains(name)
-                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.said(solid, name)))
+                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.authored(solid, name)))
                 : solid;
     }
 }

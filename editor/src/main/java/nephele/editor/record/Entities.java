@@ -115,7 +115,8 @@ public final class Entities {
         return result;
     }
 
-    private static <R extends Record> R changedList(R root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
+    private static <R extends Record> R changedList(
+            R root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
         if (wanted.stream().noneMatch(ref -> ref.section().equals(section.path()))) {
             return root;
         }

@@ -16,7 +16,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.terrain.LayerPaint;
 
@@ -123,8 +122,8 @@ public final class TerrainPainting {
 
     private Snapshot withMap(Snapshot start, String id) {
         EntityRef ref = new EntityRef(SECTION, painted.id());
-        return start.with(Entities.LEVEL
-                .changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
+        return start.with(
+                Entities.LEVEL.changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
     }
 
     /**

@@ -50,7 +50,7 @@ final class BillboardShape implements TracedShape {
         this.picture = picture;
         this.decoding = decoding;
         turn = group.turn(index) + quarterTurns * StrictMath.PI / 2;
-        Billboards.Size size = group.said().sizeMetres();
+        Billboards.Size size = group.authored().sizeMetres();
         halfWidth = size.width() * group.scale(index) / 2;
         halfHeight = size.height() * group.scale(index) / 2;
         this.observer = observer;
@@ -63,9 +63,9 @@ final class BillboardShape implements TracedShape {
     /** Returns the place where a ray meets the image's opaque part; {@code null} if it does not. */
     private Spot spot(Ray ray) {
         Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
-        Facing facing = group.said().facing() == Facing.SCREEN
+        Facing facing = group.authored().facing() == Facing.SCREEN
                 ? Facing.SPHERICAL
-                : group.said().facing();
+                : group.authored().facing();
         Vec3 towards = observer == null ? direction.negated() : observer.minus(middle);
         FacingAxes axes = FacingAxes.of(facing, towards, SIDE, UP, turn);
         Vec3 front = axes.front();
@@ -133,13 +133,13 @@ final class BillboardShape implements TracedShape {
                 .addScaled(PlantedBillboards.BULGE * spot.up(), spot.axes().up())
                 .toVector()
                 .normalize();
-        Vec3 colour = group.said().colour() != null
-                ? group.said().colour()
+        Vec3 colour = group.authored().colour() != null
+                ? group.authored().colour()
                 : new Vec3(
                         sample(spot.right(), spot.up(), 0) / 255,
                         sample(spot.right(), spot.up(), 1) / 255,
                         sample(spot.right(), spot.up(), 2) / 255);
-        Vec3 emission = group.said().emission().times(colour);
+        Vec3 emission = group.authored().emission().times(colour);
         return new SurfacePoint(
                 path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission, LEAVES);
     }

@@ -26,11 +26,11 @@ record TracedBillboards(List<TracedShape> shapes, List<Integer> groups) {
         PlantedBillboards planted = PlantedBillboards.of(placed.level(), placed.statics(), placed.assets());
         for (int number = 0; number < planted.groups().size(); number++) {
             PlantedBillboards.Group group = planted.groups().get(number);
-            if (group.said().blended()) {
+            if (group.authored().blended()) {
                 continue;
             }
-            Sprite sprite = Sprite.of(group.said(), placed.assets());
-            int images = group.said().facing() == Billboards.Facing.CROSSED ? 2 : 1;
+            Sprite sprite = Sprite.of(group.authored(), placed.assets());
+            int images = group.authored().facing() == Billboards.Facing.CROSSED ? 2 : 1;
             for (int i = 0; i < images * group.feet().size(); i++) {
                 int index = i / images;
                 Picture picture = sprite.frames().get(frame(group, index, seconds));
@@ -43,8 +43,8 @@ record TracedBillboards(List<TracedShape> shapes, List<Integer> groups) {
 
     /** Returns the frame that is drawn at a time. */
     private static int frame(PlantedBillboards.Group group, int index, double seconds) {
-        int frames = group.said().frames();
-        double moved = seconds * group.said().framesPerSecond();
+        int frames = group.authored().frames();
+        double moved = seconds * group.authored().framesPerSecond();
         return (int) Math.floorMod((long) Math.floor(moved + group.phase(index) * frames), (long) frames);
     }
 }

@@ -23,8 +23,8 @@ import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
-import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -197,8 +197,8 @@ public final class DrawBrushTool implements Tool {
                     return id;
                 });
         return context.options().shape() instanceof ShapeOptions.Room
-                ? drawn.map(slabs -> BrushShapes.named(slabs, bounds, side -> Entities.LEVEL
-                        .freshId(level, Picker.SOLIDS, wish + "-" + side)))
+                ? drawn.map(slabs -> BrushShapes.named(
+                        slabs, bounds, side -> Entities.LEVEL.freshId(level, Picker.SOLIDS, wish + "-" + side)))
                 : drawn;
     }
 

@@ -8,22 +8,22 @@ import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.FaceExtrude;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
-import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Selection;
+import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
-import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Plane;
@@ -232,7 +232,8 @@ public final class ExtrudeTool implements Tool {
                         found.get(),
                         face.index(),
                         metres,
-                        Entities.LEVEL.freshId(level, Picker.SOLIDS, face.brush().solidId()))
+                        Entities.LEVEL.freshId(
+                                level, Picker.SOLIDS, face.brush().solidId()))
                 : FaceExtrude.extruded(found.get(), face.index(), metres).map(List::of);
         return edit.map(solids -> new Snapshot(level, Selection.NONE)
                 .replaced(Map.of(

@@ -49,9 +49,11 @@ record NewEntity(String section, Record entity) {
     }
 
     private static Optional<RecordKind> kind(ToolOptions options) {
-        List<RecordKind> kinds = Entities.LEVEL.list(options.section())
+        List<RecordKind> kinds = Entities.LEVEL
+                .list(options.section())
                 .map(EntitySection::kinds)
-                .or(() -> Entities.LEVEL.single(options.section())
+                .or(() -> Entities.LEVEL
+                        .single(options.section())
                         .filter(SingleSection::isOptional)
                         .map(SingleSection::kinds))
                 .orElse(List.of());
@@ -64,7 +66,8 @@ record NewEntity(String section, Record entity) {
 
     /** Returns the kind's name if the section has several, else the section's in the singular. */
     private static String wish(ToolOptions options, RecordKind kind) {
-        return Entities.LEVEL.list(options.section())
+        return Entities.LEVEL
+                .list(options.section())
                 .filter(list -> list.kinds().size() == 1)
                 .map(list -> list.title().replaceFirst("s$", ""))
                 .orElse(kind.name());

@@ -77,8 +77,7 @@ public final class PlaceTool implements Tool {
         }
         at(pointer).ifPresent(entity -> {
             ghost = entity;
-            context.document()
-                    .drag(before -> entity.addedTo(before));
+            context.document().drag(before -> entity.addedTo(before));
         });
     }
 
@@ -88,10 +87,7 @@ public final class PlaceTool implements Tool {
                         context,
                         pointer,
                         entity -> isPressed && ghost != null && ghost.ref().equals(entity))
-                .flatMap(place -> NewEntity.of(
-                        before.level(),
-                        context.options(),
-                        place.snapped(context, pointer)));
+                .flatMap(place -> NewEntity.of(before.level(), context.options(), place.snapped(context, pointer)));
     }
 
     @Override

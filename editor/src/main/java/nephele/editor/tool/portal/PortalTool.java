@@ -135,8 +135,7 @@ public final class PortalTool implements Tool {
                 .filter(entity -> entity.section().equals(SECTION))
                 .filter(context.document().selection()::contains)
                 .findFirst()
-                .flatMap(entity ->
-                        Entities.LEVEL.find(context.document().level(), entity))
+                .flatMap(entity -> Entities.LEVEL.find(context.document().level(), entity))
                 .map(PortalSpec.class::cast);
     }
 

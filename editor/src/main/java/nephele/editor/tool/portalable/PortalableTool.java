@@ -15,8 +15,8 @@ import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
 import nephele.editor.tool.ToolEntry;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.level.appearance.MirrorFaces;
@@ -76,7 +76,7 @@ public final class PortalableTool implements Tool {
     }
 
     private static boolean isPortalable(Solid solid, String face) {
-        Boolean authored = SolidFaces.said(solid, face).portalable();
+        Boolean authored = SolidFaces.authored(solid, face).portalable();
         return authored == null ? solid.portalable() : authored;
     }
 
@@ -102,7 +102,7 @@ public final class PortalableTool implements Tool {
         if (isPortalable(solid, face.face()) == isPermitting) {
             return;
         }
-        Solid.Face authored = SolidFaces.said(solid, face.face());
+        Solid.Face authored = SolidFaces.authored(solid, face.face());
         Boolean wanted = solid.portalable() == isPermitting ? null : (Boolean) isPermitting;
         Solid other =
                 SolidFaces.with(solid, face.face(), new Solid.Face(authored.material(), wanted, authored.texture()));

@@ -17,8 +17,8 @@ import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
-import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Pointer;
+import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Snap;
 import nephele.editor.tool.Tool;
 import nephele.editor.tool.ToolContext;
@@ -189,8 +189,7 @@ public final class VertexTool implements Tool {
     }
 
     private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<Solid> edit) {
-        return edit.map(
-                solid -> Entities.LEVEL.changed(level, List.of(ref), entity -> (Record) solid));
+        return edit.map(solid -> Entities.LEVEL.changed(level, List.of(ref), entity -> (Record) solid));
     }
 
     @Override

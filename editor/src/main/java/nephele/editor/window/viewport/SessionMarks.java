@@ -8,12 +8,12 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.document.LevelShapes;
-import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Selection;
+import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.EntityMarks;
-import nephele.editor.pane.Mark.Visibility;
 import nephele.editor.pane.Mark;
+import nephele.editor.pane.Mark.Visibility;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
@@ -47,11 +47,7 @@ final class SessionMarks {
         static Marked of(EditorSession session) {
             List<Mark> others = new ArrayList<>(session.tool().marks());
             others.addAll(session.proving().marks());
-            return new Marked(
-                    session.document().now(),
-                    session.context().shapes(),
-                    session.assets(),
-                    others);
+            return new Marked(session.document().now(), session.context().shapes(), session.assets(), others);
         }
 
         private boolean isSame(Marked other) {

@@ -28,10 +28,10 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     public static Moonlight of(Atmosphere sky, Sun sun) {
         Vec3 towardsMoon = CelestialPositions.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        double share =
+        double fraction =
                 fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).fraction();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
-        return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
+        return new Moonlight(towardsMoon, COLOUR.scaled(fraction * full * phase(towardsMoon.dot(towardsSun))));
     }
 
     /** Returns the sine of the moon's elevation some simulated seconds after an instant. */

@@ -122,7 +122,7 @@ public final class Impostors {
             all.forEach(Impostor::forget);
             return;
         }
-        Frustum seen = frame.seen();
+        Frustum seen = frame.frustum();
         for (int i = 0; i < all.size(); i++) {
             if (seen.mayIntersect(all.get(i).bounds())) {
                 all.get(i).prepare(view, moved, this);
