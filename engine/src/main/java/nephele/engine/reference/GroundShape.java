@@ -154,7 +154,7 @@ final class GroundShape implements TracedShape {
             normal.normalize();
             Brdf gloss = isGlossy ? Brdf.of(colour, roughness, metallic, normal.dot(toEye)) : null;
             return new SurfacePoint(
-                    item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission), null);
+                    item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission), false);
         }
     }
 }

@@ -29,7 +29,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
         Vec3 towardsMoon = CelestialPositions.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
         double fraction =
-                fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).fraction();
+                fade(towardsSun.y()) * SunOverLimb.of(0, towardsMoon.y()).fraction();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
         return new Moonlight(towardsMoon, COLOUR.scaled(fraction * full * phase(towardsMoon.dot(towardsSun))));
     }
@@ -59,7 +59,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     /** Returns the irradiance if no horizon hid a part of the disc; zero if all of it is hidden at y = 0. */
     public Vec3 ofWholeDisc() {
         return shines()
-                ? irradiance.scaled(1 / SunOverLimb.seen(0, towardsMoon.y()).fraction())
+                ? irradiance.scaled(1 / SunOverLimb.of(0, towardsMoon.y()).fraction())
                 : irradiance;
     }
 

@@ -24,7 +24,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.Deflection;
-import nephele.engine.reference.volume.DeltaTracking;
+import nephele.engine.reference.volume.MajorantTracking;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -249,7 +249,7 @@ public final class CloudSlabsProof implements Proof {
             double weight = 1;
             while (true) {
                 ray.aim(at.x(), at.y(), at.z(), direction.x(), direction.y(), direction.z());
-                double metres = DeltaTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
+                double metres = MajorantTracking.collision(medium.field(), ray, 0, Double.POSITIVE_INFINITY, random);
                 if (metres == Double.POSITIVE_INFINITY) {
                     return direction.y() > 0 ? weight : -weight;
                 }
