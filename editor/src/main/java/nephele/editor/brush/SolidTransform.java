@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.BoxFace;
-import nephele.engine.level.Solid.PlaneFace;
 import nephele.engine.level.Solid;
+import nephele.engine.level.Solid.PlaneFace;
 import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Rotations;
@@ -243,8 +243,8 @@ public final class SolidTransform {
             Plane before = PlaneForm.plane(face);
             Vec3 inverse = new Vec3(before.nx() / factors.x(), before.ny() / factors.y(), before.nz() / factors.z());
             Vec3 normal = Plane.of(inverse, 0).normal();
-            Vec3 on =
-                    times(before.normal().scaled(before.distance()).minus(pivot)).plus(pivot);
+            Vec3 on = times(before.normal().scaled(before.distance()).minus(pivot))
+                    .plus(pivot);
             PlaneFace moved = PlaneForm.canonical(Plane.through(normal, on));
             double distance = PlaneForm.isAlongAxis(moved.normal())
                     ? ExactNumber.clean(moved.distanceMetres(), ExactNumber.OF_SUMS)
