@@ -233,7 +233,7 @@ public final class PlantedScene implements GlObject {
         plant.foot().minus(anchor).put(values, PLANT_FLOATS * at, plant.kind());
         values[PLANT_FLOATS * at + 4] = (float) scale;
         values[PLANT_FLOATS * at + 5] = (float) plant.turn();
-        values[PLANT_FLOATS * at + 6] = sky.seenFrom(middle);
+        values[PLANT_FLOATS * at + 6] = sky.visibleFrom(middle);
         values[PLANT_FLOATS * at + 7] = (float) rank;
         Vec3 fromAnchor = middle.minus(anchor);
         middles[3 * at] = (float) fromAnchor.x();
