@@ -20,8 +20,7 @@ public final class PictureDecoder {
      */
     record Limits(int sidePixels, long pixels, int fileBytes, boolean isColour, String saved) {
         /** The limits of pictures that are drawn. */
-        static final Limits DRAWN =
-                new Limits(MAX_SIDE_PIXELS, 64L << 20, 64 << 20, true, "8-bit PNG");
+        static final Limits DRAWN = new Limits(MAX_SIDE_PIXELS, 64L << 20, 64 << 20, true, "8-bit PNG");
 
         /** The limits of pictures of numbers. */
         static final Limits NUMBERS =
