@@ -89,7 +89,7 @@ public final class CloudCanvas {
     }
 
     /** Sets the uniforms of a program in use. */
-    public void put(CloudUniforms uniforms, PlacedCloud cloud) {
+    public void put(CloudPrograms.Shared uniforms, PlacedCloud cloud) {
         if (grid != null) {
             uniforms.layerStep().set(grid.stepX, grid.stepY);
             uniforms.marchedSquare().set(grid.side, grid.offsetX, grid.offsetY);

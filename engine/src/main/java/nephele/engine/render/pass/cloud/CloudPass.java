@@ -1,11 +1,14 @@
 package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
+import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -24,7 +27,9 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.resource.AmbientLight;
+import nephele.engine.render.resource.FrameClouds;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
@@ -33,6 +38,9 @@ import nephele.engine.scene.View;
  * Draws clouds, each by its technique, the farthest first. At less than full resolution they are drawn into a layer as if
  * there were no surfaces, which is drawn where surfaces are behind all clouds; pixels whose surface is among the clouds are
  * drawn on their own, so that no edge of a wall has a halo.
+ *
+ * <p>While techniques change, a cloud has a drawing by each of them, the later ones over the earlier ones; those of
+ * techniques that are gone are closed.
  */
 public final class CloudPass implements Pass {
     private final GlContext gl;
@@ -40,8 +48,17 @@ public final class CloudPass implements Pass {
     private final LoadContext context;
     private final TargetReads reads = TargetReads.of(Target.VIEW_DEPTH);
     private final FullScreenTriangle triangle;
-    private final CloudEntries entries;
+    /** The one for {@code auto} first. */
+    private final List<CloudDrawing.Technique> techniques;
+
     private final List<PlacedCloud> clouds = new ArrayList<>();
+
+    /** The clouds with their drawings, in the order in which they are drawn. */
+    private final List<Entry> entries = new ArrayList<>();
+    /** Builds what ends with the change of techniques; {@code null} without one. */
+    private LoadContext passing;
+
+    private final List<FrameClouds> passingClouds = new ArrayList<>();
     private final CloudRanges ranges;
     private final CloudCanvas canvas;
     private final Aabb surfaces;
@@ -57,8 +74,48 @@ public final class CloudPass implements Pass {
     /** {@code null} without lightning. */
     private final CloudFlash flash;
 
+    /**
+     * A cloud with its drawing by one technique.
+     *
+     * @param clouds sampled for that technique
+     * @param stages of the change in which the technique draws the cloud
+     * @param flashed draws the light of a flash in the cloud; {@code null} without lightning, and for a technique that goes
+     */
+    private record Entry(
+            PlacedCloud cloud,
+            FrameClouds clouds,
+            List<List<CloudTechnique>> stages,
+            CloudDrawing drawing,
+            CloudDrawing flashed) {
+        CloudDrawing drawing(CloudPixels pixels) {
+            return pixels.isLook() ? drawing : flashed;
+        }
+
+        boolean isDrawn() {
+            return cloud.presence() > 0 && cloud.fractionDrawn() > 0;
+        }
+
+        private void follow(FrameContext frame, boolean isFlash, TechniqueFade fade) {
+            double drawn = 0;
+            for (List<CloudTechnique> stage : stages) {
+                drawn += fade.fraction(stage);
+            }
+            cloud.fractionDrawn(Math.min(1, drawn));
+            CloudInterval now = clouds.now();
+            cloud.follow(now);
+            drawing.follow(frame.frameState().environment(), now);
+            if (isFlash && flashed != null && flashed != drawing) {
+                flashed.follow(frame.frameState().environment(), now);
+            }
+        }
+    }
+
+    /** The techniques of a stage with the clouds that are sampled for them. */
+    private record PassingStage(List<CloudTechnique> techniques, FrameClouds clouds) {}
+
     private CloudPass(LoadContext context, List<CloudDrawing.Technique> techniques) {
         this.context = context;
+        this.techniques = techniques;
         gl = context.gl();
         levelClouds = context.get(RendererClouds.RESOURCE);
         FrameLightning lightning = context.get(FrameLightning.RESOURCE);
@@ -74,11 +131,11 @@ public final class CloudPass implements Pass {
         int divisor = (int) Math.round(1 / quality.cloudResolution());
         int side = quality.cloudHistory().side();
         impostors = quality.impostors() == Quality.ImpostorChoice.AUTO ? new Impostors(context, divisor, side) : null;
-        entries = new CloudEntries(new CloudContext(context, impostors, ranges.count()), clouds, techniques);
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side, ranges.count())) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1, ranges.count())) : null;
         flash = lightning == null ? null : new CloudFlash(context, divisor, ranges.count());
+        addDrawings(new CloudContext(context, impostors, ranges.count()));
     }
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
@@ -94,6 +151,89 @@ public final class CloudPass implements Pass {
                 : List.of(new Required(
                         "environment.clouds: " + clouds.size() + " to draw",
                         context -> new CloudPass(context, techniques)));
+    }
+
+    private void addDrawings(CloudContext inPass) {
+        TechniqueFade fade = levelClouds.fade();
+        List<PassingStage> stages = fade.isComplete() ? List.of() : stages(context, fade);
+        for (PlacedCloud cloud : clouds) {
+            if (stages.isEmpty()) {
+                entries.add(remaining(cloud, List.of(fade.techniques()), inPass));
+            } else {
+                addRuns(cloud, stages, inPass);
+            }
+        }
+    }
+
+    private List<PassingStage> stages(LoadContext load, TechniqueFade fade) {
+        passing = load.ownedBy(load.own(new OwnedObjects(load.gl())));
+        List<PassingStage> stages = new ArrayList<>();
+        for (TechniqueFade.Stage stage : fade.stages()) {
+            boolean remains = stage.techniques().equals(fade.techniques());
+            FrameClouds clouds =
+                    remains ? levelClouds.current() : levelClouds.sampledFor(stage.techniques(), passing.owner());
+            if (!remains) {
+                passingClouds.add(clouds);
+            }
+            stages.add(new PassingStage(stage.techniques(), clouds));
+        }
+        return stages;
+    }
+
+    /** Adds a drawing for each run of stages in which the cloud has one technique. */
+    private void addRuns(PlacedCloud cloud, List<PassingStage> stages, CloudContext context) {
+        int first = 0;
+        while (first < stages.size()) {
+            int end = first + 1;
+            while (end < stages.size() && technique(stages.get(end), cloud) == technique(stages.get(first), cloud)) {
+                end++;
+            }
+            List<PassingStage> run = stages.subList(first, end);
+            List<List<CloudTechnique>> runTechniques =
+                    run.stream().map(PassingStage::techniques).toList();
+            boolean remains = runTechniques.contains(levelClouds.fade().techniques());
+            entries.add(
+                    remains
+                            ? remaining(cloud, runTechniques, context)
+                            : passing(cloud, run.get(0), runTechniques, context));
+            first = end;
+        }
+    }
+
+    private static CloudTechnique technique(PassingStage stage, PlacedCloud cloud) {
+        return source(stage, cloud).cloud().technique();
+    }
+
+    private static CloudSource source(PassingStage stage, PlacedCloud cloud) {
+        return stage.clouds.sources().get(cloud.index());
+    }
+
+    private Entry passing(
+            PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext context) {
+        var before = new PlacedCloud(source(stage, cloud), cloud.index());
+        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, context.ranges());
+        CloudDrawing drawing = drawn(before.source()).build().apply(own, before);
+        return new Entry(before, stage.clouds, stages, drawing, null);
+    }
+
+    private Entry remaining(PlacedCloud cloud, List<List<CloudTechnique>> stages, CloudContext context) {
+        CloudDrawing.Technique technique = drawn(cloud.source());
+        CloudDrawing drawing = technique.build().apply(context, cloud);
+        // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
+        CloudDrawing.Technique marched = techniques.get(0);
+        CloudDrawing flashed = flash == null
+                ? null
+                : technique == marched ? drawing : marched.build().apply(context, cloud);
+        return new Entry(cloud, levelClouds.current(), stages, drawing, flashed);
+    }
+
+    /** Returns the technique of a cloud; the first one for {@code auto} and where the authored one cannot draw it. */
+    private CloudDrawing.Technique drawn(CloudSource cloud) {
+        return techniques.stream()
+                .filter(known -> known.technique() == cloud.cloud().technique()
+                        && known.canDraw().test(cloud))
+                .findFirst()
+                .orElse(techniques.get(0));
     }
 
     @Override
@@ -140,7 +280,7 @@ public final class CloudPass implements Pass {
         View view = frame.view();
         CloudInterval now = levelClouds.current().now();
         boolean isFlash = flash != null && flash.isLit();
-        entries.follow(frame, isFlash);
+        followClouds(frame, isFlash);
         ranges.follow(clouds);
         if (impostors != null && isMain(frame)) {
             impostors.follow(frame);
@@ -157,6 +297,30 @@ public final class CloudPass implements Pass {
         }
         if (isFlash) {
             drawFlash(frame, now, mainLayer == null || mixed);
+        }
+    }
+
+    /** Takes the clouds at the time of the frame, the farthest from an eye first. */
+    private void followClouds(FrameContext frame, boolean isFlash) {
+        TechniqueFade fade = levelClouds.fade();
+        if (passing != null && fade.isComplete()) {
+            entries.removeIf(entry -> entry.clouds != levelClouds.current());
+            passingClouds.clear();
+            passing.owner().close();
+            passing = null;
+        }
+        Vec3 eye = frame.view().eye();
+        for (FrameClouds clouds : passingClouds) {
+            clouds.follow(frame.frameState(), levelClouds.current().focus());
+        }
+        for (int i = 0; i < entries.size(); i++) {
+            entries.get(i).follow(frame, isFlash, fade);
+        }
+        for (int i = 0; i < entries.size(); i++) {
+            entries.get(i).drawing.prepare(frame.view());
+        }
+        if (entries.size() > 1) {
+            entries.sort(Comparator.comparingDouble(entry -> -entry.cloud.distance(eye)));
         }
     }
 
@@ -191,10 +355,9 @@ public final class CloudPass implements Pass {
     /** @param layer into which is drawn; {@code null} for the view itself */
     private void draw(CloudPixels pixels, View view, CloudLayer layer) {
         canvas.begin(pixels, view, levelClouds.current().focus(), layer == null ? null : layer.grid());
-        List<CloudEntries.Entry> all = entries.all();
-        for (int i = 0; i < all.size(); i++) {
-            CloudDrawing drawing = all.get(i).drawing(pixels);
-            if (drawing != null && all.get(i).isDrawn()) {
+        for (int i = 0; i < entries.size(); i++) {
+            CloudDrawing drawing = entries.get(i).drawing(pixels);
+            if (drawing != null && entries.get(i).isDrawn()) {
                 gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
                 drawing.draw(canvas);
             }

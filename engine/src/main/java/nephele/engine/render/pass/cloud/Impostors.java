@@ -75,7 +75,7 @@ public final class Impostors {
      * the axes of a picture, the eye along them and its numbers.
      */
     private record QuadUniforms(
-            CloudUniforms cloud,
+            CloudPrograms.Shared cloud,
             Vector3 quadCentre,
             Vector3 quadAcross,
             Vector3 quadUpwards,

@@ -186,7 +186,7 @@ public final class LitCloud {
      *
      * @param focus of the boxes of layers
      */
-    public void put(CloudUniforms uniforms, View view, Vec3 focus) {
+    public void put(CloudPrograms.Shared uniforms, View view, Vec3 focus) {
         density.bind(TextureUnit.CLOUD_DENSITY);
         light.bind(TextureUnit.CLOUD_LIGHT);
         lightToCome.bind(TextureUnit.CLOUD_LIGHT_TO_COME);
@@ -233,7 +233,7 @@ public final class LitCloud {
                         .length();
     }
 
-    private void put(CloudUniforms.Boxes uniforms, Vec3 eye, Vec3 focus) {
+    private void put(CloudPrograms.Boxes uniforms, Vec3 eye, Vec3 focus) {
         CellStack cells = earlier.cells();
         for (int level = 0; level < cells.levels(); level++) {
             uniforms.put(level, cells.density().get(level).cells().box(), eye);

@@ -35,7 +35,7 @@ public final class PuffCloud implements CloudDrawing {
     private CloudPuffs now;
 
     private record PuffUniforms(
-            CloudUniforms cloud, Scalar margin, @IfRead Vector4 stepping, @IfRead Vector4 beamLobes) {}
+            CloudPrograms.Shared cloud, Scalar margin, @IfRead Vector4 stepping, @IfRead Vector4 beamLobes) {}
 
     /**
      * @param context without impostors if puffs look other as the view turns

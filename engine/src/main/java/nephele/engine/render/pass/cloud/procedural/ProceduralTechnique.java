@@ -17,7 +17,6 @@ import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPrograms;
-import nephele.engine.render.pass.cloud.CloudUniforms;
 import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 
@@ -34,7 +33,7 @@ public final class ProceduralTechnique implements CloudDrawing {
     private final CloudPrograms<SheetUniforms> programs;
     private final FullScreenTriangle triangle;
 
-    private record SheetUniforms(CloudUniforms cloud, Vector2 sheet, Octaves octaves) {}
+    private record SheetUniforms(CloudPrograms.Shared cloud, Vector2 sheet, Octaves octaves) {}
 
     /** The uniforms of {@code cloud-octaves.glsl}. */
     public record Octaves(

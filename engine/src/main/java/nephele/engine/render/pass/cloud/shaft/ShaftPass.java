@@ -32,7 +32,7 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.pass.cloud.CloudUniforms;
+import nephele.engine.render.pass.cloud.CloudPrograms;
 import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.render.resource.ShaftTables;
 import nephele.engine.scene.View;
@@ -63,7 +63,7 @@ public final class ShaftPass implements Pass {
     private SlantedShade shadeTo;
     private final DrawState.Limits limits = new DrawState.Limits();
 
-    private record Places(CloudUniforms.Boxes boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {}
+    private record Places(CloudPrograms.Boxes boxes, Uniforms.Vector3 slant, Uniforms.Vector2 planet) {}
 
     private ShaftPass(LoadContext context) {
         gl = context.gl();

@@ -20,7 +20,6 @@ import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPrograms;
-import nephele.engine.render.pass.cloud.CloudUniforms;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
@@ -64,7 +63,7 @@ public final class SkyboxTechnique implements CloudDrawing {
     private double fade = 1;
 
     private record SkyUniforms(
-            CloudUniforms cloud,
+            CloudPrograms.Shared cloud,
             List<Vector3> skyAxes,
             List<Vector3> skyLayers,
             List<Vector2> skyHalf,

@@ -19,7 +19,6 @@ import nephele.engine.render.pass.cloud.CloudCanvas;
 import nephele.engine.render.pass.cloud.CloudContext;
 import nephele.engine.render.pass.cloud.CloudDrawing;
 import nephele.engine.render.pass.cloud.CloudPrograms;
-import nephele.engine.render.pass.cloud.CloudUniforms;
 import nephele.engine.render.pass.cloud.LitCloud;
 import nephele.engine.render.pass.cloud.PlacedCloud;
 import org.lwjgl.system.MemoryUtil;
@@ -39,7 +38,7 @@ public final class SkyplaneTechnique implements CloudDrawing {
     private List<CloudSource.Box> columnsFrom;
     private List<CloudSource.Box> columnsTo;
 
-    private record SheetUniforms(CloudUniforms cloud, Vector2 sheet) {}
+    private record SheetUniforms(CloudPrograms.Shared cloud, Vector2 sheet) {}
 
     private SkyplaneTechnique(CloudContext context, PlacedCloud placed) {
         this.placed = placed;
