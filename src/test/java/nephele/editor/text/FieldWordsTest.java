@@ -50,8 +50,8 @@ class FieldWordsTest {
 
     @Test
     void everyKindInThePaletteHasWords() {
-        for (PaletteEntry entry : PaletteEntry.all(nephele.editor.record.LevelStructure.LEVEL)) {
-            assertTrue(KindWords.known(entry.kind()).isPresent(), entry.kind());
+        for (PaletteEntry entry : PaletteEntry.all(nephele.editor.record.Entities.LEVEL)) {
+            assertTrue(EntityWords.knownKind(entry.kind()).isPresent(), entry.kind());
         }
     }
 
@@ -61,6 +61,6 @@ class FieldWordsTest {
                 RecordKind.of(BeaconLevel.Beacon.class).field("periodSeconds").orElseThrow();
         assertEquals("Period", FieldWords.of(period).english());
         assertEquals("Period", FieldWords.of(period).brazilian());
-        assertEquals("Beacon", KindWords.of("beacon").english());
+        assertEquals("Beacon", EntityWords.ofKind("beacon").english());
     }
 }

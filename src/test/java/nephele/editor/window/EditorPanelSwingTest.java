@@ -35,6 +35,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PlanCamera;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -49,7 +50,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -81,6 +81,7 @@ class EditorPanelSwingTest {
                 List.of(key),
                 List.of(),
                 any -> true,
+                any -> false,
                 call -> ran.add(id),
                 EditorAction.Subject.SESSION);
     }
@@ -110,6 +111,7 @@ class EditorPanelSwingTest {
                 keys,
                 List.of(),
                 any -> true,
+                session -> session.toolEntry() == tool,
                 call -> call.session().use(tool),
                 EditorAction.Subject.SESSION);
     }
@@ -179,7 +181,7 @@ class EditorPanelSwingTest {
         open(settings(theme, percent, language), size);
         BufferedImage picture = panel.picture();
         write(picture, theme + "-" + percent + "-" + language);
-        assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));
+        assertEquals(List.of(), CutTexts.in(panel, session));
         JMenuBar bar = find(panel, JMenuBar.class);
         assertEquals(Menu.values().length, bar.getMenuCount());
         assertEquals(Menu.EDIT.title().in(language), bar.getMenu(1).getText());
@@ -189,7 +191,7 @@ class EditorPanelSwingTest {
             assertEquals(
                     Menu.TOOL.title().in(other),
                     bar.getMenu(Menu.TOOL.ordinal()).getText());
-            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), other.title());
+            assertEquals(List.of(), CutTexts.in(panel, session), other.title());
         }
     }
 
@@ -250,10 +252,7 @@ class EditorPanelSwingTest {
 
     private Vec3 selectedCentre() {
         EntityRef ref = session.document().selection().entities().get(0);
-        Record solid = session.document()
-                .entities()
-                .find(session.document().level(), ref)
-                .orElseThrow();
+        Record solid = Entities.LEVEL.find(session.document().level(), ref).orElseThrow();
         return EntityBounds.of(solid).centre();
     }
 

@@ -26,7 +26,6 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.Terrain.Layer;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -117,7 +116,7 @@ class LayerBoxSwingTest {
             assertTrue(box().orElseThrow().getWidth() > 0);
             assertEquals(
                     WindowText.LAYER_TO_PAINT.in(language), box().orElseThrow().getToolTipText());
-            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), language.title());
+            assertEquals(List.of(), CutTexts.in(panel, session), language.title());
         }
     }
 }

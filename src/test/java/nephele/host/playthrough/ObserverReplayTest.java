@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 import nephele.engine.sim.Simulation;
@@ -57,7 +57,7 @@ class ObserverReplayTest {
 
     @Test
     void aRecordingRepeatsTheSphereAndItsContacts() {
-        Playthrough walk = walk(new UnturnedInput(new Held(PlayerInput.FORWARD.turning(500, 0))));
+        Playthrough walk = walk(new Held(PlayerInput.FORWARD.turning(500, 0)).unturned());
         List<ObserverSphere> seen = spheres(walk, 240);
         Replay replay = walk.recorder().replay();
         Playthrough again = walk(new ReplayInput(replay));
@@ -71,7 +71,7 @@ class ObserverReplayTest {
     /** Forwards is away from the camera, in a straight line, until the boulder's bounds are touched. */
     @Test
     void theSphereMovesStraightAndTouchesTheBoulder() {
-        Playthrough walk = walk(new UnturnedInput(new Held(PlayerInput.FORWARD.turning(500, 0))));
+        Playthrough walk = walk(new Held(PlayerInput.FORWARD.turning(500, 0)).unturned());
         assertEquals(new Vec3(0, 0.5, 4), walk.frameState().observer().centre());
         View view = walk.view(ASPECT);
         assertEquals(opened.level().cameras().get(0).position(), view.eye());
@@ -91,7 +91,7 @@ class ObserverReplayTest {
     @Test
     void finerBoundsAreTouchedLater() {
         int before = 0;
-        for (Bounds kind : List.of(Bounds.BOX, Bounds.ORIENTED_BOX, Bounds.TREE, Bounds.TRIANGLES)) {
+        for (Bound kind : List.of(Bound.BOX, Bound.ORIENTED_BOX, Bound.TREE, Bound.TRIANGLES)) {
             Playthrough walk = walk(new Held(PlayerInput.FORWARD));
             while (walk.observer().shown() != kind) {
                 walk.changePerson();

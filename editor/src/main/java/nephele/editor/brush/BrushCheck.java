@@ -17,7 +17,7 @@ public final class BrushCheck {
     /** Shorter normals are refused by the rules of a level. */
     private static final double SHORTEST_NORMAL = 1e-9;
 
-    /** Share by which rounding may make a brush of just the least thickness thinner. */
+    /** Fraction by which rounding may make a brush of just the least thickness thinner. */
     private static final double ROUNDING = 1e-9;
 
     private BrushCheck() {}

@@ -15,7 +15,7 @@ import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
-import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 import nephele.editor.text.Words;
 import nephele.editor.widget.WordCell;
 import nephele.engine.level.CloudTechnique;
@@ -73,7 +73,7 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
 
     private void listen(JComboBox<CloudTechnique> choice, Function<CloudTechnique, TechniquePair> pair) {
         choice.setRenderer(
-                new WordCell<CloudTechnique>(value -> ChoiceWord.words(value).in(session.language())));
+                new WordCell<CloudTechnique>(value -> FieldWords.choice(value).in(session.language())));
         choice.addActionListener(event -> {
             if (!isRefreshing) {
                 comparison.techniques(pair.apply((CloudTechnique) choice.getSelectedItem()));
@@ -139,8 +139,8 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
             return PanelText.NO_DIFFERENCE.words();
         }
         return PanelText.DIFFERS.with(
-                ChoiceWord.words(pictures.techniques().tried()),
-                ChoiceWord.words(pictures.techniques().reference()),
+                FieldWords.choice(pictures.techniques().tried()),
+                FieldWords.choice(pictures.techniques().reference()),
                 String.format(Locale.ROOT, "%.3f", measured.flip()),
                 measured.lightPercent());
     }

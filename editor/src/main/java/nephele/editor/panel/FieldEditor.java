@@ -16,8 +16,8 @@ import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordKind;
-import nephele.editor.text.ChoiceWord;
-import nephele.editor.text.KindWords;
+import nephele.editor.text.EntityWords;
+import nephele.editor.text.FieldWords;
 import nephele.editor.text.Words;
 import nephele.editor.widget.WordCell;
 import nephele.engine.level.Exposure;
@@ -45,7 +45,7 @@ record FieldEditor(JComponent component, Consumer<InspectorField> show) {
             this.changes = changes;
             stops = new NumberInput(this::commit, text -> refuse(changes, text));
             stops.getAccessibleContext().setAccessibleName(field.words().in(changes.language()));
-            auto = new JCheckBox(ChoiceWord.words(Exposure.AUTO).in(changes.language()));
+            auto = new JCheckBox(FieldWords.choice(Exposure.AUTO).in(changes.language()));
             auto.addActionListener(event -> changes.set(
                     this.field, auto.isSelected() ? Exposure.AUTO : field.type().freshValue()));
             panel.add(stops, "wmin 30, grow");
@@ -200,6 +200,6 @@ record FieldEditor(JComponent component, Consumer<InspectorField> show) {
     }
 
     private static Words word(InspectorField field, Object value) {
-        return field.type().kind() == FieldKind.VARIANT ? KindWords.of((String) value) : ChoiceWord.words(value);
+        return field.type().kind() == FieldKind.VARIANT ? EntityWords.ofKind((String) value) : FieldWords.choice(value);
     }
 }

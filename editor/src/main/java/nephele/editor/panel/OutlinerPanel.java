@@ -33,8 +33,8 @@ import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.OutlinerModel;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
@@ -53,7 +53,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
     private final transient Consumer<EntityRef> focus;
     private final transient Consumer<List<EntityRef>> delete;
-    private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
+    private final transient OutlinerModel model = new OutlinerModel(Entities.LEVEL);
     private final JTextField search = new JTextField();
     private final JLabel error = new JLabel();
     private final OutlinerTable lines;
@@ -154,7 +154,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         boolean isOfOneSymbol = ref.section().equals(Picker.SOLIDS);
         Optional<Record> entity = isOfOneSymbol
                 ? Optional.empty()
-                : session.document().entities().find(session.document().level(), ref);
+                : Entities.LEVEL.find(session.document().level(), ref);
         return EntityIcons.of(
                 ref.section(),
                 entity.map(record -> RecordKind.of(record).name()).orElse(""));
@@ -192,7 +192,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     }
 
     private void searched() {
-        query = EntityQuery.parse(search.getText(), LevelStructure.LEVEL);
+        query = EntityQuery.parse(search.getText(), Entities.LEVEL);
         showErrors();
         refresh();
     }
@@ -368,10 +368,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
             session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
             return;
         }
-        if (session.document()
-                .entities()
-                .find(session.document().level(), renamed)
-                .isPresent()) {
+        if (Entities.LEVEL.find(session.document().level(), renamed).isPresent()) {
             session.status(PanelText.ID_TAKEN.with(id));
             return;
         }
@@ -380,8 +377,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
 
     /** Selects what refers to an entity, and reports how much it is. */
     private void selectUsages(EntityRef ref) {
-        Set<EntityRef> usages =
-                session.document().entities().usages(session.document().level(), ref);
+        Set<EntityRef> usages = Entities.LEVEL.usages(session.document().level(), ref);
         if (usages.isEmpty()) {
             session.status(PanelText.NO_USAGES.with(ref.shortName()));
         } else {

@@ -30,7 +30,7 @@ import nephele.editor.document.Registration;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
@@ -48,39 +48,6 @@ import net.miginfocom.swing.MigLayout;
 public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
     private static final int SAMPLE_POINTS = 48;
-
-    /** The look of a material: its picture times its colour. */
-    private record Sample(Material material, AssetPictures pictures) implements Icon {
-        @Override
-        public void paintIcon(Component component, Graphics graphics, int x, int y) {
-            Graphics2D g = (Graphics2D) graphics.create();
-            g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-            int side = getIconWidth();
-            Color colour = LinearColour.onScreen(material.baseColour());
-            Optional<BufferedImage> picture =
-                    Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
-            g.setColor(colour);
-            g.fillRect(x, y, side, side);
-            picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));
-            if (material.mirror()) {
-                g.setColor(new Color(255, 255, 255, 150));
-                g.fillPolygon(new int[] {x + side / 5, x + side / 2, x + side / 5}, new int[] {y + side, y, y}, 3);
-            }
-            g.setColor(Color.GRAY);
-            g.drawRect(x, y, side - 1, side - 1);
-            g.dispose();
-        }
-
-        @Override
-        public int getIconWidth() {
-            return UIScale.scale(SAMPLE_POINTS);
-        }
-
-        @Override
-        public int getIconHeight() {
-            return getIconWidth();
-        }
-    }
 
     private final transient EditorSession session;
     private final transient Registration registration;
@@ -129,7 +96,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         shape(shapes, PanelText.ARCH, "arch", new ShapeOptions.Arch(12, 0.5));
         shape(shapes, PanelText.CYLINDER, "cylinder", new ShapeOptions.Cylinder(16));
         for (EntityWords.Group group : EntityWords.Group.values()) {
-            List<PaletteEntry> entries = PaletteEntry.below(LevelStructure.LEVEL, group);
+            List<PaletteEntry> entries = PaletteEntry.below(Entities.LEVEL, group);
             if (group == EntityWords.Group.SOLIDS) {
                 materials(group(PanelText.MATERIALS.in(language), 3));
             }
@@ -189,7 +156,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void material(JPanel grid, Material material, String chosen, String name) {
         BooleanSupplier isChosen = () -> Objects.equals(session.options().material(), chosen);
-        var button = new JToggleButton(name, new Sample(material, pictures));
+        var button = new JToggleButton(name, sample(material));
         button.setHorizontalTextPosition(SwingConstants.CENTER);
         button.setVerticalTextPosition(SwingConstants.BOTTOM);
         button.setIconTextGap(2);
@@ -202,6 +169,41 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             session.tell(SessionChange.VIEW);
         });
         grid.add(button);
+    }
+
+    /** Returns the look of a material: its picture times its colour. */
+    private Icon sample(Material material) {
+        return new Icon() {
+            @Override
+            public void paintIcon(Component component, Graphics graphics, int x, int y) {
+                Graphics2D g = (Graphics2D) graphics.create();
+                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                int side = getIconWidth();
+                Color colour = LinearColour.onScreen(material.baseColour());
+                Optional<BufferedImage> picture =
+                        Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
+                g.setColor(colour);
+                g.fillRect(x, y, side, side);
+                picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));
+                if (material.mirror()) {
+                    g.setColor(new Color(255, 255, 255, 150));
+                    g.fillPolygon(new int[] {x + side / 5, x + side / 2, x + side / 5}, new int[] {y + side, y, y}, 3);
+                }
+                g.setColor(Color.GRAY);
+                g.drawRect(x, y, side - 1, side - 1);
+                g.dispose();
+            }
+
+            @Override
+            public int getIconWidth() {
+                return UIScale.scale(SAMPLE_POINTS);
+            }
+
+            @Override
+            public int getIconHeight() {
+                return getIconWidth();
+            }
+        };
     }
 
     private void add(JPanel grid, AbstractButton button, BooleanSupplier isChosen, Runnable action) {

@@ -7,9 +7,9 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import nephele.editor.document.LevelShapes;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -34,7 +34,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return Optional.empty();
         }
         int index = Integer.parseInt(matcher.group(2));
-        return LevelStructure.LEVEL
+        return Entities.LEVEL
                 .list(matcher.group(1))
                 .filter(section -> index < section.entities(level).size())
                 .map(section -> new EntityPath(section, index, matcher.group(3)));
@@ -68,14 +68,14 @@ record EntityPath(EntitySection section, int index, String rest) {
                 changed.add(kept);
             }
         }
-        return isThere ? (Level) section.with(level, changed) : level;
+        return isThere ? section.with(level, changed) : level;
     }
 
     /** Returns a level with another record at this place of the list. */
     Level replacedAt(Level level, Record other) {
         List<Record> changed = new ArrayList<>(section.entities(level));
         changed.set(index, other);
-        return (Level) section.with(level, changed);
+        return section.with(level, changed);
     }
 
     /** Returns the name of the face that the path leads to; empty for the solid itself. */
@@ -123,7 +123,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return (Solid) ofSolid.apply((Record) solid);
         }
         return SolidFaces.names(solid).contains(name)
-                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.said(solid, name)))
+                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.authored(solid, name)))
                 : solid;
     }
 }

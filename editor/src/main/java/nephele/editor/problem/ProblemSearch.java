@@ -1,6 +1,7 @@
 package nephele.editor.problem;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -84,10 +85,11 @@ public final class ProblemSearch {
         return problems;
     }
 
-    /** Reads files only if a record that names one has changed, or what their models are compared with. */
+    /** Reads files only if a record that names one has changed, or what models and billboards are compared with. */
     private List<Problem> ofFiles(Level level, BooleanSupplier isOver) {
-        List<Object> named = new ArrayList<>(List.of(level.materials(), level.environment(), level.models()));
-        if (!level.models().isEmpty()) {
+        List<Object> named = new ArrayList<>(
+                List.of(level.materials(), level.environment(), level.models(), level.terrains(), level.billboards()));
+        if (!level.models().isEmpty() || !level.billboards().isEmpty()) {
             named.addAll(List.of(level.solids(), level.portals(), Optional.ofNullable(level.player())));
         }
         if (!named.equals(namedFiles)) {
@@ -110,13 +112,10 @@ public final class ProblemSearch {
     private static List<LevelProblem> listed(Level level, StaticShapes statics, List<Problem> found) {
         ProblemFixes fixes = new ProblemFixes(level, statics);
         List<LevelProblem> listed = new ArrayList<>();
-        for (Problem.Severity severity : Problem.Severity.values()) {
-            for (Problem problem : found) {
-                if (problem.severity() == severity && isListed(problem)) {
-                    listed.add(listed(level, problem, fixes));
-                }
-            }
-        }
+        found.stream()
+                .filter(ProblemSearch::isListed)
+                .sorted(Comparator.comparing(Problem::isError).reversed())
+                .forEach(problem -> listed.add(listed(level, problem, fixes)));
         listed.addAll(of(level, statics));
         return numbered(listed);
     }

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
@@ -16,7 +17,7 @@ import nephele.engine.math.Vec3;
 public final class HeatOverlay {
     private static final long PROGRESS_NANOS = 200_000_000;
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private final Supplier<ProvingThreads> threads;
     private boolean isVisible;
     private Level computedOf;
     private AssetSource computedWith;
@@ -31,12 +32,9 @@ public final class HeatOverlay {
     /** When the progress was reported last. */
     private volatile long reportedNanos;
 
-    HeatOverlay(ProvingSubject subject) {
+    HeatOverlay(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     public boolean isVisible() {
@@ -69,7 +67,7 @@ public final class HeatOverlay {
         computedOf = level;
         computedWith = assets;
         reportedNanos = System.nanoTime();
-        threads.work().execute(() -> compute(run, level, assets, before));
+        threads.get().work().execute(() -> compute(run, level, assets, before));
     }
 
     private void compute(int run, Level level, AssetSource assets, HeatMap before) {
@@ -82,10 +80,10 @@ public final class HeatOverlay {
             if (isDone) {
                 HeatMap result = map.map();
                 List<Mark> drawn = HeatRegions.of(result);
-                threads.session().execute(() -> done(run, result, drawn));
+                threads.get().session().execute(() -> done(run, result, drawn));
             }
         } catch (AssetException | IllegalArgumentException unusable) {
-            threads.session().execute(() -> failed(run, unusable.getMessage()));
+            threads.get().session().execute(() -> failed(run, unusable.getMessage()));
         }
     }
 
@@ -94,7 +92,7 @@ public final class HeatOverlay {
         if (now - reportedNanos > PROGRESS_NANOS) {
             reportedNanos = now;
             Words words = ProvingText.HEAT_PROGRESS.with(Math.round(100 * fraction));
-            threads.session().execute(() -> {
+            threads.get().session().execute(() -> {
                 if (run == running) {
                     subject.status(words);
                 }

@@ -21,7 +21,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 
 /**
  * What a pixel of the perspective pane shows, and why: the surface at the end of its sight, the light that the reference
@@ -52,7 +52,7 @@ public record PixelExplanation(List<String> lines) {
             addLight(lines, language, exposed.level(), traced, eye, pixel);
             lines.add("");
             lines.add(ProvingText.PASSES.in(language));
-            FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level)))
+            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
                     .explain()
                     .forEach(line -> lines.add("  " + line));
         } catch (AssetException | IllegalArgumentException unusable) {

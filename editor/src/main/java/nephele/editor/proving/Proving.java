@@ -26,21 +26,16 @@ public final class Proving {
     public Proving(ProvingSubject subject) {
         this.subject = subject;
         problems = new ProblemTour(subject);
-        heat = new HeatOverlay(subject);
-        solution = new SolutionProof(subject);
-        corner = new TracedCorner(subject);
-        trade = new TradeReport(subject);
-        techniques = new TechniqueComparison(subject);
+        heat = new HeatOverlay(subject, () -> threads);
+        solution = new SolutionProof(subject, () -> threads);
+        corner = new TracedCorner(subject, () -> threads);
+        trade = new TradeReport(subject, () -> threads);
+        techniques = new TechniqueComparison(subject, () -> threads);
     }
 
     /** Sets the threads of all further proofs. */
     public void runOn(ProvingThreads others) {
         threads = others;
-        heat.runOn(others);
-        solution.runOn(others);
-        corner.runOn(others);
-        trade.runOn(others);
-        techniques.runOn(others);
     }
 
     public ProblemTour problems() {

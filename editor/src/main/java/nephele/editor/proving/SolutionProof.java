@@ -25,7 +25,7 @@ public final class SolutionProof {
     private static final Vec3 BODY = new Vec3(0.6, 1.8, 0.6);
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private final Supplier<ProvingThreads> threads;
     /** Ends the check in progress; {@code null} before the first. */
     private Runnable cancel;
 
@@ -34,12 +34,9 @@ public final class SolutionProof {
     private Level checked;
     private List<Mark> marks = List.of();
 
-    SolutionProof(ProvingSubject subject) {
+    SolutionProof(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     /** Replays the solution beside a level's file in the level as it is now; a check in progress ends. */
@@ -56,7 +53,7 @@ public final class SolutionProof {
         Supplier<SimLevel> present = () -> SimLevel.of(PlacedLevel.of(level, assets));
         cancel = SolutionCheck.start(
                 file,
-                threads.work(),
+                threads.get().work(),
                 () -> usable(present),
                 fraction -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * fraction)))),
                 result -> onSession(level, () -> checked(result)),
@@ -72,7 +69,7 @@ public final class SolutionProof {
     }
 
     private void onSession(Level level, Runnable reported) {
-        threads.session().execute(() -> {
+        threads.get().session().execute(() -> {
             if (checked == level) {
                 reported.run();
             }

@@ -3,6 +3,7 @@ package nephele.editor.proving;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import nephele.editor.record.EntityRef;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -21,8 +22,8 @@ public final class TechniqueComparison {
     private static final int TIMED_FRAMES = 6;
 
     private final ProvingSubject subject;
+    private final Supplier<ProvingThreads> threads;
     private final AtomicLong asked = new AtomicLong();
-    private ProvingThreads threads = ProvingThreads.DIRECT;
     private boolean isVisible;
     private TechniquePair techniques;
     /** The written technique of the cloud that was followed last. */
@@ -34,12 +35,9 @@ public final class TechniqueComparison {
     private long received;
     private ComparisonThread thread;
 
-    TechniqueComparison(ProvingSubject subject) {
+    TechniqueComparison(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     public boolean isVisible() {
@@ -143,14 +141,14 @@ public final class TechniqueComparison {
         }
         ComparisonThread drawing = thread;
         long number = asked.incrementAndGet();
-        threads.work().execute(() -> draw(drawing, next, number));
+        threads.get().work().execute(() -> draw(drawing, next, number));
     }
 
     private void draw(ComparisonThread drawing, ComparedCloud next, long number) {
         for (int frames : new int[] {1, TIMED_FRAMES}) {
             if (number == asked.get()) {
                 ComparedPictures drawn = drawing.draw(next, frames);
-                threads.session().execute(() -> receive(drawn, number));
+                threads.get().session().execute(() -> receive(drawn, number));
             }
         }
     }

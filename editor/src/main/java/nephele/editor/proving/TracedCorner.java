@@ -3,6 +3,7 @@ package nephele.editor.proving;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -14,8 +15,8 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
-import nephele.engine.render.ToneMappedPicture;
-import nephele.host.draw.Outputs;
+import nephele.engine.render.Capture;
+import nephele.host.draw.QualityChoice;
 
 /**
  * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
@@ -62,7 +63,8 @@ public final class TracedCorner {
 
         /** Returns radiance, the bottom row first, as the engine would display it. */
         static Picture picture(float[] radiance, int width, Level level) {
-            BufferedImage image = ToneMappedPicture.of(radiance, width, level.environment(), Outputs.defaultFor(level));
+            BufferedImage image =
+                    Capture.toneMapped(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
             byte[] rgb = new byte[3 * width * image.getHeight()];
             for (int i = 0; i < width * image.getHeight(); i++) {
                 int colour = image.getRGB(i % width, i / width);
@@ -75,7 +77,7 @@ public final class TracedCorner {
     }
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private final Supplier<ProvingThreads> threads;
     private boolean isVisible;
     private int enough = ENOUGH_SAMPLES;
     private Wanted wanted;
@@ -112,12 +114,9 @@ public final class TracedCorner {
      */
     public record Traced(Picture picture, int samples) {}
 
-    TracedCorner(ProvingSubject subject) {
+    TracedCorner(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     public boolean isVisible() {
@@ -164,7 +163,7 @@ public final class TracedCorner {
         int run = running + 1;
         running = run;
         int most = enough;
-        threads.work().execute(() -> trace(run, next, most));
+        threads.get().work().execute(() -> trace(run, next, most));
     }
 
     private void trace(int run, Wanted what, int most) {
@@ -191,7 +190,7 @@ public final class TracedCorner {
         } catch (CancellationException cancelled) {
             return;
         } catch (AssetException | IllegalArgumentException unusable) {
-            threads.session().execute(() -> subject.status(Words.same(unusable.getMessage())));
+            threads.get().session().execute(() -> subject.status(Words.same(unusable.getMessage())));
         }
     }
 
@@ -225,7 +224,7 @@ public final class TracedCorner {
     }
 
     private void show(int run, Traced next) {
-        threads.session().execute(() -> {
+        threads.get().session().execute(() -> {
             if (run == running) {
                 traced = next;
                 subject.redraw();

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import nephele.editor.text.Words;
 
 /**
@@ -20,17 +21,14 @@ public final class TradeReport {
     private static final String PAGE = "index.html";
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
+    private final Supplier<ProvingThreads> threads;
     private BiFunction<Path, Path, List<String>> commandLine = (level, out) -> List.of();
     private Process process;
     private Path page;
 
-    TradeReport(ProvingSubject subject) {
+    TradeReport(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     /**
@@ -76,7 +74,7 @@ public final class TradeReport {
         }
         subject.status(ProvingText.TRADE_STARTED.words());
         Process started = process;
-        threads.work().execute(() -> follow(started, out.resolve(PAGE), finished));
+        threads.get().work().execute(() -> follow(started, out.resolve(PAGE), finished));
     }
 
     /** Stops the program, with the processes that it has started. */
@@ -92,7 +90,7 @@ public final class TradeReport {
     private void follow(Process started, Path result, Runnable finished) {
         String last = lines(started, started.getInputStream());
         int code = exit(started);
-        threads.session().execute(() -> {
+        threads.get().session().execute(() -> {
             if (process != started) {
                 return;
             }
@@ -113,7 +111,7 @@ public final class TradeReport {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 last = line.isBlank() ? last : line.strip();
                 Words words = ProvingText.TRADE_PROGRESS.with(last);
-                threads.session().execute(() -> {
+                threads.get().session().execute(() -> {
                     if (process == started) {
                         subject.status(words);
                     }

@@ -16,9 +16,7 @@ import nephele.editor.save.NamedAssets;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 
@@ -159,11 +157,11 @@ public final class PaintedMaps {
      */
     record PaintedMap(Object decoded, Supplier<byte[]> file) {
         static PaintedMap of(HeightMap map) {
-            return new PaintedMap(map, () -> HeightMapFile.png(map));
+            return new PaintedMap(map, () -> map.png());
         }
 
         static PaintedMap of(LayerMap map) {
-            return new PaintedMap(map, () -> LayerMapFile.png(map));
+            return new PaintedMap(map, () -> map.png());
         }
     }
 }

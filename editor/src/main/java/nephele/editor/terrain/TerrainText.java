@@ -4,7 +4,7 @@ import java.util.Locale;
 import nephele.editor.text.Text;
 import nephele.editor.text.Words;
 
-/** What painting a terrain tells its user. */
+/** A text of painting terrains in English, Brazilian and European Portuguese. */
 public enum TerrainText implements Text {
     SAVE_FIRST(
             "Save the level first: strokes on terrains make files in its folder",

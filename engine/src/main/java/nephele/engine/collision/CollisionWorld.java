@@ -118,7 +118,7 @@ public final class CollisionWorld {
                     if (model.solid() != null) {
                         convex.add(collider(item, model.solid()));
                     } else if (item == IdentityDiff.NEW) {
-                        sheets.addAll(Collider.triangles(model.said().id(), model.triangles()));
+                        sheets.addAll(Collider.triangles(model.authored().id(), model.triangles()));
                     } else {
                         for (int i = 0; i < model.triangles().count(); i++) {
                             sheets.add(collider(item + i));

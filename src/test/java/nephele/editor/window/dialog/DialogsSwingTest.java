@@ -32,7 +32,6 @@ import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
 import nephele.workshop.prove.editor.PaintedPanel;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -95,7 +94,7 @@ class DialogsSwingTest {
         for (ActionForm form : ActionForm.ALL) {
             cut.addAll(new PaintedPanel(form(form.part()))
                     .write(form.part() + look)
-                    .clipped(UserTexts.of(session)));
+                    .clipped(session));
         }
         assertEquals(List.of(), cut);
         new PaintedPanel(palette(new ArrayList<>())).write("palette" + look);

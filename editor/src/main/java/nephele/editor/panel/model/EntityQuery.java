@@ -8,12 +8,11 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.Words;
 import nephele.engine.level.Exposure;
@@ -40,7 +39,7 @@ public record EntityQuery(List<Term> terms, List<Words> errors) {
     }
 
     /** Returns the query of a text. */
-    public static EntityQuery parse(String text, LevelStructure structure) {
+    public static EntityQuery parse(String text, Entities entities) {
         List<Term> terms = new ArrayList<>();
         List<Words> errors = new ArrayList<>();
         Matcher words = WORD.matcher(text);
@@ -52,7 +51,7 @@ public record EntityQuery(List<Term> terms, List<Words> errors) {
                 continue;
             }
             var parsed = new Term(term.group(1), term.group(2), term.group(3).toLowerCase(Locale.ROOT));
-            Words error = error(parsed, structure);
+            Words error = error(parsed, entities);
             if (error == null) {
                 terms.add(parsed);
             } else {
@@ -62,7 +61,7 @@ public record EntityQuery(List<Term> terms, List<Words> errors) {
         return new EntityQuery(terms, errors);
     }
 
-    private static Words error(Term term, LevelStructure structure) {
+    private static Words error(Term term, Entities entities) {
         if (term.value().isEmpty()) {
             return PanelText.QUERY_NO_VALUE.with(term.name() + term.operator());
         }
@@ -73,19 +72,19 @@ public record EntityQuery(List<Term> terms, List<Words> errors) {
             return PanelText.QUERY_NO_TRUTH.with(term.name());
         }
         boolean isKnown = FLAGS.contains(term.name()) || term.name().equals("type");
-        return isKnown || componentNames(structure).contains(term.name())
+        return isKnown || componentNames(entities).contains(term.name())
                 ? null
                 : PanelText.QUERY_NO_COMPONENT.with(term.name());
     }
 
     /** Returns the names of all components that entities have, for completion. */
-    public static Set<String> componentNames(LevelStructure structure) {
+    public static Set<String> componentNames(Entities entities) {
         Set<String> names = new TreeSet<>();
         Set<Class<?>> visited = new java.util.HashSet<>();
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             section.kinds().forEach(kind -> collect(kind, names, visited));
         }
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (!single.path().isEmpty()) {
                 single.kinds().forEach(kind -> collect(kind, names, visited));
             }
@@ -151,7 +150,7 @@ public record EntityQuery(List<Term> terms, List<Words> errors) {
 
         private boolean hasValue(Record entity) {
             boolean[] found = {false};
-            RecordWalk.map(entity, (field, component) -> {
+            RecordKind.mapped(entity, (field, component) -> {
                 found[0] |= component != null && field.name().equals(name) && isMet(component);
                 return component;
             });

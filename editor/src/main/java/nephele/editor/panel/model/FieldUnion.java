@@ -9,23 +9,23 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 import nephele.engine.level.EditorNotes;
 
 /** Lists the fields that any of some records has; lists of entities are left out, since they have selections of their own. */
 final class FieldUnion {
     private final List<EntityRef> refs;
-    private final LevelStructure structure;
+    private final Entities entities;
     private final List<InspectorField> found = new ArrayList<>();
 
-    FieldUnion(List<EntityRef> refs, LevelStructure structure) {
+    FieldUnion(List<EntityRef> refs, Entities entities) {
         this.refs = refs;
-        this.structure = structure;
+        this.entities = entities;
     }
 
     List<InspectorField> fields(List<Record> owners) {
@@ -55,7 +55,7 @@ final class FieldUnion {
     }
 
     private boolean isListed(RecordField field, String section) {
-        boolean isEntities = section != null && structure.list(section).isPresent();
+        boolean isEntities = section != null && entities.list(section).isPresent();
         boolean isCommonId = field.isId() && refs.size() > 1;
         return !isEntities && !isCommonId && field.valueClass() != EditorNotes.class;
     }
@@ -113,7 +113,7 @@ final class FieldUnion {
         for (Object key : keys.iterator().next()) {
             List<Object> entries = new ArrayList<>();
             tables.forEach(table -> entries.add(((Map<?, ?>) table).get(key)));
-            entry(path.entry(key), depth, ChoiceWord.of(key), field, entries);
+            entry(path.entry(key), depth, FieldWords.choiceInFiles(key), field, entries);
         }
     }
 

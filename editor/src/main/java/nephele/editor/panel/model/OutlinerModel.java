@@ -11,7 +11,6 @@ import nephele.editor.panel.model.OutlinerRow.State;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.engine.level.EditorNotes;
@@ -26,14 +25,12 @@ public final class OutlinerModel {
         }
     }
 
-    private final LevelStructure structure;
     private final Entities entities;
     private final Set<String> folded = new HashSet<>();
     private final Map<String, Cached> cache = new HashMap<>();
 
-    public OutlinerModel(LevelStructure structure) {
-        this.structure = structure;
-        entities = new Entities(structure);
+    public OutlinerModel(Entities entities) {
+        this.entities = entities;
     }
 
     /** Folds or unfolds the line with a key. */
@@ -47,7 +44,7 @@ public final class OutlinerModel {
     public List<OutlinerRow> rows(Record root, EntityStatus status, EntityQuery query) {
         List<OutlinerRow> rows = new ArrayList<>();
         addGroups(rows, root, status, query);
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (!single.path().isEmpty() && single.get(root) != null) {
                 EntityRef ref = EntityRef.single(single.path());
                 if (query.matches(ref, single.get(root), status)) {
@@ -55,7 +52,7 @@ public final class OutlinerModel {
                 }
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             rows.addAll(section(section, root, status, query));
         }
         return rows;

@@ -3,8 +3,8 @@ package nephele.editor.panel.model;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.editor.text.EntityWords;
@@ -33,22 +33,22 @@ public record PaletteEntry(String section, String kind) {
     }
 
     /** Returns the entries in the order of the file. */
-    public static List<PaletteEntry> all(LevelStructure structure) {
+    public static List<PaletteEntry> all(Entities entities) {
         List<PaletteEntry> entries = new ArrayList<>();
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (single.isOptional()) {
                 add(entries, single.path(), single.kinds());
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             add(entries, section.path(), section.kinds());
         }
         return List.copyOf(entries);
     }
 
     /** Returns the entries below a heading, in the order in which they are named. */
-    public static List<PaletteEntry> below(LevelStructure structure, EntityWords.Group group) {
-        return all(structure).stream()
+    public static List<PaletteEntry> below(Entities entities, EntityWords.Group group) {
+        return all(entities).stream()
                 .filter(entry -> entry.group() == group)
                 .sorted(Comparator.comparing(entry -> EntityWords.rank(entry.section(), entry.kind())))
                 .toList();

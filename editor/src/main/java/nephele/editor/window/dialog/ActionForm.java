@@ -12,9 +12,9 @@ import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import nephele.editor.window.dialog.FormField.Option;
@@ -34,7 +34,7 @@ record ActionForm(
         Words title,
         List<FormField> fields,
         BiFunction<EditorSession, Map<String, String>, Words> check) {
-    private static final InspectorModel MODEL = new InspectorModel(LevelStructure.LEVEL);
+    private static final InspectorModel MODEL = new InspectorModel(Entities.LEVEL);
 
     /** The forms of all actions that need values. */
     static final List<ActionForm> ALL = List.of(

@@ -12,7 +12,7 @@ import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.KeyText;
 import nephele.editor.panel.model.PaletteEntry;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import nephele.engine.level.Language;
 
 /** The search lists of the editor. */
@@ -40,7 +40,7 @@ public final class Searches {
 
     /** Returns the search over all kinds of entities that a level can have. */
     public static SearchList<PaletteEntry> kinds(Language language, Consumer<Optional<PaletteEntry>> done) {
-        List<PaletteEntry> all = PaletteEntry.all(LevelStructure.LEVEL);
+        List<PaletteEntry> all = PaletteEntry.all(Entities.LEVEL);
         return new SearchList<>(
                 DialogText.SEARCH_KINDS,
                 query -> all.stream()

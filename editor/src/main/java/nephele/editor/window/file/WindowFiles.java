@@ -55,12 +55,12 @@ public final class WindowFiles implements AutoCloseable {
         this.window = window;
         this.ui = ui;
         questions = new SwingQuestions(window);
-        journal = journals == null ? null : new SessionJournal(session, journals, this::tellSoon);
+        journal = journals == null ? null : new SessionJournal(session, journals, this::reportSoon);
         pictures =
                 journal == null ? null : new JournalPictures(session, panel.viewport(), background, journal::picture);
-        var changes = new OutsideChanges(session, voice());
-        watch = new SessionWatch(session, changes, new SessionWatch.Threads(SwingUtilities::invokeLater, background));
-        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, ui::sceneUse);
+        var changes = new OutsideChanges(session, this::isMineKept, this::warn);
+        watch = new SessionWatch(session, changes, SwingUtilities::invokeLater, background);
+        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::report, ui::sceneUse);
         drops.accept(panel);
         drops.accept(panel.viewport().surface().component());
         ui.part("backups", this::showBackups);
@@ -72,7 +72,7 @@ public final class WindowFiles implements AutoCloseable {
         findLost(false);
     }
 
-    private void tellSoon(Words words) {
+    private void reportSoon(Words words) {
         SwingUtilities.invokeLater(() -> session.status(words));
     }
 
@@ -80,31 +80,21 @@ public final class WindowFiles implements AutoCloseable {
         return !session.document().isModified() || ui.isAgreed(FileText.LOSES.words());
     }
 
-    private void tell(Words message) {
+    private void report(Words message) {
         session.status(message);
+        warn(message);
+    }
+
+    private void warn(Words message) {
         questions.warn(message.in(session.language()), session.language());
     }
 
-    /** Asks in dialogues. */
-    private OutsideChanges.Voice voice() {
-        return new OutsideChanges.Voice() {
-            @Override
-            public boolean isMineKept(Words question) {
-                Language language = session.language();
-                // A dialogue that is closed loads nothing: the user's own version is the safe answer.
-                int chosen = questions.choice(
-                        question.in(language),
-                        language,
-                        FileText.KEEP_MINE.in(language),
-                        FileText.LOAD_THEIRS.in(language));
-                return chosen != 1;
-            }
-
-            @Override
-            public void tell(Words message) {
-                questions.warn(message.in(session.language()), session.language());
-            }
-        };
+    private boolean isMineKept(Words question) {
+        Language language = session.language();
+        // A dialogue that is closed loads nothing: the user's own version is the safe answer.
+        int chosen = questions.choice(
+                question.in(language), language, FileText.KEEP_MINE.in(language), FileText.LOAD_THEIRS.in(language));
+        return chosen != 1;
     }
 
     /** Reads the journals in the background: the window does not wait for them. */
@@ -140,7 +130,7 @@ public final class WindowFiles implements AutoCloseable {
                 new BackupList(session, Instant.now(), ZoneId.systemDefault()),
                 session.language(),
                 this::mayLeave,
-                this::tell,
+                this::report,
                 dialog::dispose);
         show(dialog, panel, panel.restoreButton(), panel.rows());
     }

@@ -5,7 +5,6 @@ import java.util.stream.Collectors;
 import javax.swing.table.AbstractTableModel;
 import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorKeys;
-import nephele.editor.action.EditorKeys.KeyConflict;
 import nephele.editor.action.KeyText;
 import nephele.editor.window.dialog.Searches;
 import nephele.engine.level.Language;
@@ -92,17 +91,17 @@ final class KeyTable extends AbstractTableModel {
     }
 
     private String conflictText(EditorCommand command) {
-        return keys.conflicts().stream()
-                .filter(conflict -> conflict.commands().contains(command.id()))
+        return keys.conflicts().entrySet().stream()
+                .filter(conflict -> conflict.getValue().contains(command.id()))
                 .map(conflict -> PageText.ALSO
-                        .with(conflict.key().text(), others(conflict, command))
+                        .with(conflict.getKey().text(), others(conflict.getValue(), command))
                         .in(language))
                 .collect(Collectors.joining("; "));
     }
 
-    private String others(KeyConflict conflict, EditorCommand command) {
+    private String others(List<String> rivals, EditorCommand command) {
         return commands.stream()
-                .filter(other -> other != command && conflict.commands().contains(other.id()))
+                .filter(other -> other != command && rivals.contains(other.id()))
                 .map(other -> other.title().in(language))
                 .collect(Collectors.joining(", "));
     }

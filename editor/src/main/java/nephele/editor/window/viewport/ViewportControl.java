@@ -22,11 +22,9 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.pane.PerspectiveCamera.FlightKeys;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -103,18 +101,8 @@ final class ViewportControl extends MouseAdapter {
                 place.size(),
                 pixels(event.getX()) - place.x(),
                 pixels(event.getY()) - place.y(),
-                button(event),
                 modifiers(event),
                 event.getClickCount());
-    }
-
-    private static Button button(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event)) {
-            return Button.PRIMARY;
-        } else if (SwingUtilities.isRightMouseButton(event)) {
-            return Button.SECONDARY;
-        }
-        return SwingUtilities.isMiddleMouseButton(event) ? Button.MIDDLE : Button.NONE;
     }
 
     private static Set<Modifier> modifiers(MouseEvent event) {
@@ -174,7 +162,7 @@ final class ViewportControl extends MouseAdapter {
             session.drag().press(pointer);
             report(pointer);
         } else {
-            boolean pans = pointer.isPlan() || pointer.button() == Button.MIDDLE;
+            boolean pans = pointer.isPlan() || SwingUtilities.isMiddleMouseButton(event);
             motion = pans ? Motion.PAN : pointer.isHeld(Modifier.ALT) ? Motion.ORBIT : Motion.LOOK;
             grabbed = grabbed(pointer);
             paneSize = pointer.size();
@@ -310,8 +298,8 @@ final class ViewportControl extends MouseAdapter {
         return PerspectiveCamera.dolly((PerspectiveCamera) before, notches, sight, distance);
     }
 
-    private void fly(FlightKeys keys, double metres) {
-        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres, 1) : before);
+    private void fly(Vec3 keys, double metres) {
+        look(before -> before instanceof PerspectiveCamera eye ? PerspectiveCamera.fly(eye, keys, metres) : before);
     }
 
     /** Takes a key that belongs to the flight or to the tool; returns false for any other. */

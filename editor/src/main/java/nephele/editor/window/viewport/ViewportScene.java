@@ -92,10 +92,10 @@ final class ViewportScene implements SurfacePainter {
             repaintSoon.run();
         }
         List<String> messages = List.copyOf(drawing.messages());
-        return () -> tell(messages);
+        return () -> reportNew(messages);
     }
 
-    private void tell(List<String> messages) {
+    private void reportNew(List<String> messages) {
         if (!messages.equals(reported)) {
             reported = messages;
             reported.forEach(report);

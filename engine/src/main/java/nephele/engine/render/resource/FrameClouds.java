@@ -1,13 +1,14 @@
 package nephele.engine.render.resource;
 
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
-import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.placed.StaticShapes;
@@ -35,12 +36,12 @@ public final class FrameClouds implements GlObject {
     /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
     static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
         Quality quality = context.quality();
-        var sampling = new Sampling(quality.cloudLightCell(), quality.proceduralNoise(), optics -> context.owner()
-                .lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        Function<CloudOptics, CloudLight> physics =
+                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics));
         return context.share(
                 FrameClouds.class,
                 madeFrom(context.scene(), quality, techniques),
-                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), quality, physics));
     }
 
     /** Returns what the clouds of a level follow from: edits of anything else leave them as they are. */
@@ -54,10 +55,16 @@ public final class FrameClouds implements GlObject {
                 techniques);
     }
 
-    private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
+    private FrameClouds(Scene scene, LoadedClouds loaded, Quality quality, Function<CloudOptics, CloudLight> physics) {
         timeline = loaded.clouds().isEmpty()
                 ? null
-                : new CloudTimeline(scene.level().environment(), loaded, shadeRegion(scene.statics()), sampling);
+                : new CloudTimeline(
+                        scene.level().environment(),
+                        loaded,
+                        shadeRegion(scene.statics()),
+                        quality.cloudLightCell(),
+                        quality.proceduralNoise(),
+                        physics);
     }
 
     /** Returns the region in which surfaces can be in the shade of clouds; beyond it, its border's shade holds. */

@@ -185,7 +185,7 @@ public final class PlantedScene implements GlObject {
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */
     private static StaticShapes surroundings(StaticShapes statics) {
         List<PlacedModel> others = statics.models().all().stream()
-                .filter(model -> !model.said().impostor())
+                .filter(model -> !model.authored().impostor())
                 .toList();
         return statics.with(new PlacedModels(others));
     }

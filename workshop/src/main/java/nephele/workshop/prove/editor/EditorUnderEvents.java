@@ -18,7 +18,6 @@ import nephele.editor.session.EditorSettings;
 import nephele.editor.session.FileServices;
 import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
-import nephele.editor.start.EditorParts;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowLook;
@@ -48,7 +47,7 @@ final class EditorUnderEvents implements AutoCloseable {
         WindowLook.apply(look);
         session = new EditorSession(base.file(), base.level(), base.assets(), look);
         session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
-        panel = EditorParts.panel(session, ui.surroundings());
+        panel = ui.panel(session);
         panel.closeToo(session.listen(this::follow));
         session.proving().runOn(new ProvingThreads(new WaitingLoop(() -> {}), SwingUtilities::invokeLater));
         resize(SIZE);

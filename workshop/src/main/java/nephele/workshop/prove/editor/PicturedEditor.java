@@ -19,7 +19,6 @@ import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.start.EditorParts;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.WindowLook;
@@ -73,7 +72,7 @@ final class PicturedEditor implements AutoCloseable {
         WindowLook.apply(look.settings());
         DocumentFile.Opened empty = DocumentFile.untitled();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
-        panel = EditorParts.panel(session, ui.surroundings());
+        panel = ui.panel(session);
         script = new ScriptRunner(session, ui);
         furnish(script, ui);
         session.panes(PicturedEditor::turnedToRoom);
@@ -148,7 +147,7 @@ final class PicturedEditor implements AutoCloseable {
 
     /** Returns the texts of a container that are cut off. */
     List<String> cut(Container part) {
-        return CutTexts.in(part, UserTexts.of(session));
+        return CutTexts.in(part, session);
     }
 
     /** Returns the texts of the whole editor that are cut off. */

@@ -228,20 +228,12 @@ public final class Uniforms {
         return new Whole(program, location(name));
     }
 
-    public Vector2 vector2(String name) {
-        return new Vector2(program, location(name));
-    }
-
     public Vector3 vector3(String name) {
         return new Vector3(program, location(name));
     }
 
     public Vector4 vector4(String name) {
         return new Vector4(program, location(name));
-    }
-
-    public WholeVector4 wholeVector4(String name) {
-        return new WholeVector4(program, location(name));
     }
 
     public Matrix4 matrix4(String name) {
@@ -251,11 +243,6 @@ public final class Uniforms {
     /** Binds a sampler to another texture unit than the one that names it. */
     public void sampler(String name, TextureUnit unit) {
         glProgramUniform1i(program, location(name), unit.number());
-    }
-
-    /** Returns true if the program reads a uniform. */
-    public boolean reads(String name) {
-        return glGetUniformLocation(program, name) >= 0;
     }
 
     private int location(String name) {

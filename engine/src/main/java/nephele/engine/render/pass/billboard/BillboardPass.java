@@ -139,13 +139,13 @@ public final class BillboardPass implements Pass {
 
     @Override
     public boolean needsCopies(FrameContext frame) {
-        quads.findSeen(frame.seen(), visible);
+        quads.findVisible(frame.frustum(), visible);
         return kind == Kind.BLENDED && !visible.isEmpty();
     }
 
     @Override
     public void draw(FrameContext frame) {
-        quads.findSeen(frame.seen(), visible);
+        quads.findVisible(frame.frustum(), visible);
         if (visible.isEmpty()) {
             return;
         }

@@ -42,27 +42,12 @@ import org.lwjgl.system.MemoryUtil;
  */
 public final class ExitPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-                    "exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Part.LIGHT))
+                    "exit", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, false))
             .using(MeteredExposure.RESOURCE);
 
     public static final RenderFeature VEIL = new RenderFeature(
-                    "exit.veil",
-                    Stage.IN_VIEWS_AFTER_OPAQUE,
-                    Role.DECORATION,
-                    request -> requiredBy(request, Part.VEIL))
+                    "exit.veil", Stage.IN_VIEWS_AFTER_OPAQUE, Role.DECORATION, request -> requiredBy(request, true))
             .using(MeteredExposure.RESOURCE);
-
-    /** What a pass draws of all curtains. */
-    private enum Part {
-        LIGHT("exits: curtains of light"),
-        VEIL("exits: veils in their curtains");
-
-        private final String because;
-
-        Part(String because) {
-            this.because = because;
-        }
-    }
 
     private static final String FOLDER = "/nephele/engine/render/pass/exit/";
 
@@ -87,14 +72,12 @@ public final class ExitPass implements Pass {
             List<Uniforms.Vector4> feetAndRadius,
             List<Uniforms.Scalar> heightMetres) {}
 
-    private ExitPass(LoadContext context, Part part) {
+    private ExitPass(LoadContext context, boolean isVeil) {
         gl = context.gl();
         targets = context.targets();
-        boolean decodes = part == Part.LIGHT && context.output() == Output.DIRECT;
+        boolean decodes = !isVeil && context.output() == Output.DIRECT;
         reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
-        blend = part == Part.VEIL
-                ? MeteredExposure.over(context)
-                : decodes ? Blend.REPLACE : MeteredExposure.added(context);
+        blend = isVeil ? MeteredExposure.over(context) : decodes ? Blend.REPLACE : MeteredExposure.added(context);
         exits = context.scene().level().exits();
         bounds = exits.stream().map(ExitPass::bounds).toList();
         prism = context.own(prism(gl));
@@ -102,15 +85,16 @@ public final class ExitPass implements Pass {
         Map<String, String> defines = Defines.of(context)
                 .with("SHELL_SHARE", ExitCurtain.SHELL_SHARE)
                 .with("EXITS", exits.size())
-                .withIf(part == Part.VEIL, "VEILS")
+                .withIf(isVeil, "VEILS")
                 .values();
         program = GlProgram.of(gl, FOLDER + "exit.vert", FOLDER + "exit.frag", defines, Places.class);
     }
 
-    private static List<Required> requiredBy(FrameRequest request, Part part) {
+    private static List<Required> requiredBy(FrameRequest request, boolean isVeil) {
+        String because = isVeil ? "exits: veils in their curtains" : "exits: curtains of light";
         return request.level().exits().isEmpty()
                 ? List.of()
-                : List.of(new Required(part.because, context -> new ExitPass(context, part)));
+                : List.of(new Required(because, context -> new ExitPass(context, isVeil)));
     }
 
     private static Aabb bounds(Exit exit) {
@@ -131,12 +115,12 @@ public final class ExitPass implements Pass {
 
     @Override
     public boolean needsCopies(FrameContext frame) {
-        return isSeen(frame);
+        return isVisible(frame);
     }
 
-    private boolean isSeen(FrameContext frame) {
+    private boolean isVisible(FrameContext frame) {
         for (int i = 0; i < bounds.size(); i++) {
-            if (frame.seen().mayIntersect(bounds.get(i))) {
+            if (frame.frustum().mayIntersect(bounds.get(i))) {
                 return true;
             }
         }
@@ -145,7 +129,7 @@ public final class ExitPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        if (!isSeen(frame)) {
+        if (!isVisible(frame)) {
             return;
         }
         frame.surface().bind();

@@ -70,8 +70,8 @@ public final class AtmospherePass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = !FogTransmittance.hidesSky(environment);
-        return isSeen && environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
+        boolean isVisible = !FogTransmittance.hidesSky(environment);
+        return isVisible && environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
                 ? List.of(new Required("environment.sky: an atmosphere", context -> new AtmospherePass(context, sky)))
                 : List.of();
     }

@@ -3,6 +3,7 @@ package nephele.engine.render.pass.sky;
 import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.asset.Picture;
+import nephele.engine.level.BoxFace;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxPictures;
 import nephele.engine.level.appearance.SkyboxSquare;
@@ -91,8 +92,7 @@ final class SkyboxCube {
      * Returns the point of the cube of half side 1 at picture coordinates s, t in −1…1; beyond ±1 on the adjacent face.
      */
     static Vector3d point(int face, double s, double t) {
-        SkyboxSquare square = FACES.get(face);
-        return vector(square.outward()).fma(s, vector(square.right())).fma(t, vector(square.down()));
+        return FACES.get(face).direction(s, t).toVector();
     }
 
     /** Returns the face that a direction hits. */
@@ -119,11 +119,7 @@ final class SkyboxCube {
                 / along(direction, FACES.get(face).outward());
     }
 
-    private static double along(Vector3d direction, SkyboxSquare.Axis axis) {
-        return axis.sign() * direction.get(axis.index());
-    }
-
-    private static Vector3d vector(SkyboxSquare.Axis axis) {
-        return new Vector3d(axis.component(0), axis.component(1), axis.component(2));
+    private static double along(Vector3d direction, BoxFace axis) {
+        return direction.dot(axis.normal().toVector());
     }
 }

@@ -66,8 +66,8 @@ public final class SkyboxPass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = !FogTransmittance.hidesSky(environment);
-        return isSeen && environment.sky() instanceof Sky.Skybox skybox
+        boolean isVisible = !FogTransmittance.hidesSky(environment);
+        return isVisible && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", context -> new SkyboxPass(context, skybox)))
                 : List.of();
     }

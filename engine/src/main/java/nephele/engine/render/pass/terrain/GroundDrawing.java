@@ -168,7 +168,7 @@ final class GroundDrawing {
     void draw(FrameContext frame) {
         bind();
         if (tiles != null) {
-            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.seen());
+            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.frustum());
         }
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
@@ -178,7 +178,7 @@ final class GroundDrawing {
             if (tiles != null) {
                 tiles.draw(part.slopes());
             } else {
-                mesh.draw(frame.seen(), uniforms.place());
+                mesh.draw(frame.frustum(), uniforms.place());
             }
         }
     }
