@@ -36,8 +36,8 @@ public record DetailVertex(double column, double row, double height) {
         if (fraction >= SLIDE_END) {
             return new DetailVertex(column - asideX, row - asideZ, end);
         }
-        double risen =
-                Math.min(1, (fraction - DetailRanges.MORPH_START) / (DetailRanges.MORPH_END - DetailRanges.MORPH_START));
+        double risen = Math.min(
+                1, (fraction - DetailRanges.MORPH_START) / (DetailRanges.MORPH_END - DetailRanges.MORPH_START));
         double slid = Math.max(0, (fraction - DetailRanges.SLIDE_START) / (SLIDE_END - DetailRanges.SLIDE_START));
         double raised = mix(height, coarser, risen);
         return new DetailVertex(column - slid * asideX, row - slid * asideZ, mix(raised, end, slid));

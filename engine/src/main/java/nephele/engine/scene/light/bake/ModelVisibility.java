@@ -151,7 +151,8 @@ final class ModelVisibility {
         Vec3 b = mesh.corner(triangle, (corner + 2) % 3);
         Vec3 inward = new Vec3((a.x() + b.x()) / 2 - p.x(), (a.y() + b.y()) / 2 - p.y(), (a.z() + b.z()) / 2 - p.z());
         double fraction = Math.min(LARGEST_INSET, INSET_METRES / inward.length());
-        return new double[] {p.x() + fraction * inward.x(), p.y() + fraction * inward.y(), p.z() + fraction * inward.z()};
+        return new double[] {p.x() + fraction * inward.x(), p.y() + fraction * inward.y(), p.z() + fraction * inward.z()
+        };
     }
 
     /**
