@@ -1,7 +1,5 @@
 package nephele.engine.scene.dynamic;
 
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
-
 /**
  * A superellipsoid (Barr 1981, "Superquadrics and Angle-Preserving Transformations"), tapered along y. The parts of the
  * player's character consist of these.
@@ -41,7 +39,7 @@ record Superellipsoid(double[] centre, double[] half, double[] roundness, double
      *
      * @param sides number around the y axis; half as many rows, at least 4
      */
-    void addTo(Builder mesh, int sides) {
+    void addTo(DynamicMesh mesh, int sides) {
         int rows = Math.max(4, sides / 2);
         int[] below = new int[sides + 1];
         int[] ring = new int[sides + 1];
