@@ -82,10 +82,10 @@ final class SkyMutants {
                     "StackSpanTest"),
             new Mutant(
                     CLOUD,
-                    "the mean light of a beam between two depths is that of its end",
+                    "a beam that is scattered forwards loses all that is scattered",
                     ENGINE + "cloud/light/BeamLight.java",
-                    "Math.exp(-(from + to) / 2)",
-                    "Math.exp(-to)",
+                    "1 - optics.albedo() * fraction",
+                    "1",
                     "BeamLightTest"),
             new Mutant(
                     CLOUD,

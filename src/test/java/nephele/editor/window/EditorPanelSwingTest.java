@@ -35,6 +35,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PlanCamera;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -251,10 +252,7 @@ class EditorPanelSwingTest {
 
     private Vec3 selectedCentre() {
         EntityRef ref = session.document().selection().entities().get(0);
-        Record solid = session.document()
-                .entities()
-                .find(session.document().level(), ref)
-                .orElseThrow();
+        Record solid = Entities.LEVEL.find(session.document().level(), ref).orElseThrow();
         return EntityBounds.of(solid).centre();
     }
 

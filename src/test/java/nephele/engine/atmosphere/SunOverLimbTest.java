@@ -32,7 +32,7 @@ class SunOverLimbTest {
     @CsvSource({"-0.95, 0", "-0.5, 0", "0, 0", "0, 12000", "0.3, 2", "0.9, 80000", "1, 0", "7, 2"})
     void meansOfQuadraticFunctionsOverTheVisiblePartAreExact(double radii, double height) {
         double middle = sine(radii, height);
-        SunOverLimb disc = SunOverLimb.seen(height, middle);
+        SunOverLimb disc = SunOverLimb.of(height, middle);
         assertEquals(exact(radii, x -> 1), disc.fraction(), 1e-5, "the visible fraction");
         DoubleUnaryOperator light = x -> 2 + 0.7 * x + 0.4 * x * x;
         double perRadius = Math.sqrt(1 - middle * middle) * RADIUS;
@@ -43,16 +43,16 @@ class SunOverLimbTest {
 
     @Test
     void nothingOfItIsSeenBelowTheHorizonAndAllOfItHighUp() {
-        assertEquals(0, SunOverLimb.seen(3000, sine(-1.001, 3000)).fraction());
-        assertEquals(0, SunOverLimb.seen(0, -1).fraction());
-        assertEquals(new SunOverLimb(1, 1, 1), SunOverLimb.seen(0, 1));
+        assertEquals(0, SunOverLimb.of(3000, sine(-1.001, 3000)).fraction());
+        assertEquals(0, SunOverLimb.of(0, -1).fraction());
+        assertEquals(new SunOverLimb(1, 1, 1), SunOverLimb.of(0, 1));
     }
 
     @Test
     void theShareGrowsWithoutAStep() {
         double before = 0;
         for (int i = -120; i <= 120; i++) {
-            SunOverLimb disc = SunOverLimb.seen(500, sine(i / 100.0, 500));
+            SunOverLimb disc = SunOverLimb.of(500, sine(i / 100.0, 500));
             assertTrue(
                     disc.fraction() >= before && disc.fraction() - before < 0.0065,
                     "at " + i + " hundredths of a radius");
@@ -64,7 +64,7 @@ class SunOverLimbTest {
 
     @Test
     void aPointIsSeenWhollyOrNotAtAll() {
-        assertEquals(1, SunOverLimb.seen(0, 40, sine(1e-6, 40)).fraction());
-        assertEquals(0, SunOverLimb.seen(0, 40, sine(-1e-6, 40)).fraction());
+        assertEquals(1, SunOverLimb.of(0, 40, sine(1e-6, 40)).fraction());
+        assertEquals(0, SunOverLimb.of(0, 40, sine(-1e-6, 40)).fraction());
     }
 }

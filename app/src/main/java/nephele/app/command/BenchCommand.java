@@ -18,6 +18,7 @@ import nephele.lab.bench.SceneDrawing;
 import nephele.scenes.file.OpenedScene;
 import nephele.scenes.file.SceneName;
 import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.SceneAppearance;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -94,6 +95,7 @@ final class BenchCommand implements Command {
                         gl,
                         FixedSceneDrawing.load(gl, opened.sources()),
                         view,
+                        SceneAppearance.USUAL,
                         picture.target(gl),
                         frames == null ? 1 : frames)) {
             print(times(gl, drawing), terminal);

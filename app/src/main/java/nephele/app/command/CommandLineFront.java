@@ -97,7 +97,7 @@ public final class CommandLineFront {
             return ExitCode.USAGE;
         } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {
             var explained = Explanation.of(failure, List.of(arguments));
-            return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
+            return explained.report(terminal, "nephele " + entry.name(), common.verbose);
         }
     }
 

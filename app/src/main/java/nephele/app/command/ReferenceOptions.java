@@ -152,7 +152,7 @@ public final class ReferenceOptions {
         Capture.pfm(rgb, picture.tiles().width(), picture.tiles().height(), file);
     }
 
-    /** Where a picture is seen from, and when. */
+    /** A level, the view of it and the time of a picture. */
     record ViewedLevel(OpenedLevel opened, View view, double seconds) {}
 
     /**

@@ -84,7 +84,7 @@ final class AutoQuality {
         var known = files.quality().highMillis(machine, level, pixels);
         isKnown = known.isPresent();
         known.ifPresentOrElse(controller::begin, controller::begin);
-        tell(request, isKnown ? "learned" : "not measured yet");
+        report(request, isKnown ? "learned" : "not measured yet");
     }
 
     /** Returns true if the first view shall be measured: the level was not drawn on this machine before. */
@@ -104,7 +104,7 @@ final class AutoQuality {
         double estimate = WALK_BY_START * controller.atHigh(millis);
         controller.begin(estimate);
         learn(estimate);
-        tell(request, "measured");
+        report(request, "measured");
         return before != controller.point();
     }
 
@@ -121,7 +121,7 @@ final class AutoQuality {
         files.keep(files.quality().with(machine, level, pixels, highMillis));
     }
 
-    private void tell(PlayRequest request, String why) {
+    private void report(PlayRequest request, String why) {
         if (log != null && request.isQualityAutomatic()) {
             log.println(String.format(
                     Locale.ROOT,
@@ -152,7 +152,7 @@ final class AutoQuality {
         }
         boolean isOther = controller.add(millis, seconds);
         if (isOther) {
-            tell(request, "by the frame rate");
+            report(request, "by the frame rate");
         }
         return isOther;
     }

@@ -151,7 +151,7 @@ public final class GameLoop implements AutoCloseable {
         simulate();
         draw();
         stages.logVisible(menu, loading, current);
-        tellProblems();
+        reportProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
 
@@ -459,12 +459,7 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (slow.isTimeLost(now, walk.lostNanos())) {
-            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
-            if (slow.isNews(cause, now, message.showsHint())) {
-                message.sayAside(SlowAdvice.text(cause, language()));
-            }
-        }
+        slow.say(now, current, window, files.settings(), message);
         if (finished.isPresent()) {
             end(session, finished.get());
         } else if (walk.isFinished()) {
@@ -499,7 +494,7 @@ public final class GameLoop implements AutoCloseable {
         shot = Display.Shot.NONE;
     }
 
-    private void tellProblems() {
+    private void reportProblems() {
         List<String> problems = files.takeProblems();
         if (!problems.isEmpty()) {
             problems.forEach(message::say);

@@ -16,7 +16,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
-import nephele.engine.level.Level.Observer.Bounds;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.sim.state.TickEvent;
 import nephele.host.named.LevelTitles;
@@ -252,7 +252,7 @@ final class GamePicture {
                         .collect(Collectors.joining(" "));
     }
 
-    private static Phrase boundsPhrase(Bounds bounds) {
+    private static Phrase boundsPhrase(Bound bounds) {
         return switch (bounds) {
             case SPHERE -> Phrase.BOUNDS_SPHERE;
             case BOX -> Phrase.BOUNDS_BOX;

@@ -10,7 +10,7 @@ import nephele.host.playthrough.HintClock;
 import nephele.host.playthrough.Playthrough;
 
 /**
- * Tells the player that there is a hint, again from time to time, and the hint when it is asked for. Who asks too early
+ * Announces hints to the player, again from time to time, and gives them on request. Who asks too early
  * hears when one comes, and then has it without asking again.
  */
 final class GivenHints {

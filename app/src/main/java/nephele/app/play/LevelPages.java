@@ -14,10 +14,10 @@ import nephele.app.settings.Progress;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.host.compare.TechniquePair;
+import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
 import nephele.host.named.LevelSummary;
 import nephele.host.named.LevelTitles;
-import nephele.host.named.OwnLevels;
 import nephele.host.named.SampleCatalogue.Group;
 import nephele.host.named.SampleCatalogue.Sample;
 
@@ -48,7 +48,7 @@ final class LevelPages {
             return Menu.Page.SAMPLES;
         }
         Path folder = writer.files().levels();
-        return folder != null && OwnLevels.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
+        return folder != null && LevelCatalogue.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
     }
 
     /** Returns the title of a level. */
@@ -168,7 +168,7 @@ final class LevelPages {
         if (ownReader != null) {
             ownReader.end();
         }
-        ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder), LevelSummary::checked);
+        ownReader = LevelReader.begin(folder == null ? List.of() : LevelCatalogue.in(folder), LevelSummary::checked);
         return ownPage();
     }
 
@@ -214,7 +214,7 @@ final class LevelPages {
                 0,
                 new Fact(
                         writer.text(Phrase.FILE),
-                        OwnLevels.nameIn(writer.files().levels(), level)));
+                        LevelCatalogue.nameIn(writer.files().levels(), level)));
         Card card = new Card(
                 read.map(LevelSummary::picture).orElse(null),
                 facts,
@@ -236,7 +236,7 @@ final class LevelPages {
                 ? "\n" + Phrase.MORE_PROBLEMS.in(writer.language(), problems.size() - MOST_PROBLEMS)
                 : "";
         Fact file = new Fact(
-                writer.text(Phrase.FILE), OwnLevels.nameIn(writer.files().levels(), level));
+                writer.text(Phrase.FILE), LevelCatalogue.nameIn(writer.files().levels(), level));
         return new Entry(shortened(level.title(), LONGEST_TITLE), writer.text(Phrase.BROKEN), null)
                 .with(new Card(null, List.of(file), shown + more));
     }

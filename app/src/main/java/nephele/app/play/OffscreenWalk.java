@@ -105,7 +105,7 @@ public final class OffscreenWalk {
             if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
                 long before = stopwatch.processCpuNanos();
                 if (picture.comparison() != null) {
-                    tellComparison(gl, picture.comparison(), target);
+                    reportComparison(gl, picture.comparison(), target);
                 }
                 savePicture(target, ++nextPicture);
                 cpuStartNanos += stopwatch.processCpuNanos() - before;
@@ -133,7 +133,7 @@ public final class OffscreenWalk {
     }
 
     /** Prints the figures of both techniques, and draws the wipe over the picture. */
-    private void tellComparison(GlContext gl, CloudComparison comparison, RenderTarget target) {
+    private void reportComparison(GlContext gl, CloudComparison comparison, RenderTarget target) {
         ComparisonFigures measured = comparison.measureNow();
         HudContent.Comparison texts = new ComparisonTexts().of(comparison, Wipe.MIDDLE, Language.EN);
         out.println(String.format(

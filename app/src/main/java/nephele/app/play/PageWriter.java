@@ -13,7 +13,7 @@ import nephele.app.window.Input;
 import nephele.engine.level.Language;
 
 /**
- * What all pages of the menu have in common: the player's files and language, and the foot that explains the keys.
+ * Writes pages of the menu, with a foot that explains the keys, in the player's language.
  *
  * @param device the one whose keys the pages name
  */

@@ -56,6 +56,16 @@ final class SlowAdvice {
         skipped = 0;
     }
 
+    /** Says a line aside if time was lost for a cause that is news. */
+    void say(long nowNanos, CurrentLevel level, GameWindow window, GameSettings settings, Message message) {
+        if (isTimeLost(nowNanos, level.session().walk().lostNanos())) {
+            var cause = new Cause(level.quality(), picture(window, settings));
+            if (isNews(cause, nowNanos, message.showsHint())) {
+                message.sayAside(text(cause, settings.get(Settings.LANGUAGE)));
+            }
+        }
+    }
+
     /**
      * Returns true once for each two seconds of which a tenth was lost: simulated time lags behind real time because
      * frames take longer than 0.25 s.

@@ -40,7 +40,7 @@ final class TestPlay {
     private long lastNanos = System.nanoTime();
 
     /**
-     * What the play asks and tells.
+     * The callbacks of a test play.
      *
      * @param isReplaced true when another level shall be played
      * @param firstShown runs after the first frame is on the screen
@@ -154,12 +154,7 @@ final class TestPlay {
             events.forEach(event -> Message.ofEvent(event, language).ifPresent(message::say));
             picture.after(events);
         }
-        if (slow.isTimeLost(now, walk.lostNanos())) {
-            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files().settings()));
-            if (slow.isNews(cause, now, message.showsHint())) {
-                message.sayAside(SlowAdvice.text(cause, language));
-            }
-        }
+        slow.say(now, current, window, files().settings(), message);
         counter.after(events, walk).ifPresent(run -> finish(run, language));
     }
 

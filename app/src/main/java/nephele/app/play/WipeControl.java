@@ -5,7 +5,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.host.compare.Wipe;
 
-/** Moves the wipe between two compared techniques by the arrow keys, which walk no longer then. */
+/** Moves the wipe between two compared techniques by the arrow keys, which do not walk meanwhile. */
 public final class WipeControl {
     private static final String LEFT = "Left";
     private static final String RIGHT = "Right";

@@ -16,6 +16,7 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureAlignment;
 import nephele.editor.paint.TextureFit;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
@@ -107,7 +108,7 @@ final class TextureActions {
             for (EntityRef ref :
                     NoteEdits.free(document.level(), document.selection().entities())) {
                 if (ref.section().equals(Picker.SOLIDS)) {
-                    document.entities()
+                    Entities.LEVEL
                             .find(document.level(), ref)
                             .ifPresent(solid -> faces.put(ref, new LinkedHashSet<>(SolidFaces.names((Solid) solid))));
                 }
@@ -120,9 +121,9 @@ final class TextureActions {
         Document document = call.session().document();
         Level level = document.level();
         for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
-            Solid solid = (Solid) document.entities().find(level, each.getKey()).orElseThrow();
+            Solid solid = (Solid) Entities.LEVEL.find(level, each.getKey()).orElseThrow();
             Solid placed = placed(level, solid, each.getValue(), placing);
-            level = (Level) document.entities().changed(level, List.of(each.getKey()), old -> (Record) placed);
+            level = Entities.LEVEL.changed(level, List.of(each.getKey()), old -> (Record) placed);
         }
         Level after = level;
         document.edit(PLACE, null, before -> before.with(after));
@@ -138,7 +139,7 @@ final class TextureActions {
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
                 TexturePlacement placement = placing.apply(PaintedFace.of(face, materials.apply(face.material())));
-                Solid.Face authored = SolidFaces.said(result, face.name());
+                Solid.Face authored = SolidFaces.authored(result, face.name());
                 result = SolidFaces.with(
                         result,
                         face.name(),
@@ -160,10 +161,8 @@ final class TextureActions {
         EditorSession session = call.session();
         Map.Entry<EntityRef, Set<String>> first =
                 faces(session.document()).entrySet().iterator().next();
-        Solid solid = (Solid) session.document()
-                .entities()
-                .find(session.document().level(), first.getKey())
-                .orElseThrow();
+        Solid solid = (Solid)
+                Entities.LEVEL.find(session.document().level(), first.getKey()).orElseThrow();
         String material = brushFaces(solid).stream()
                 .filter(face -> first.getValue().contains(face.name()))
                 .findFirst()

@@ -14,6 +14,7 @@ import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
@@ -160,11 +161,11 @@ final class ViewActions {
         EditorSession session = call.session();
         Document document = session.document();
         List<EntityRef> refs = document.selection().entities().isEmpty()
-                ? document.entities().all(document.level())
+                ? Entities.LEVEL.all(document.level())
                 : document.selection().entities();
         Aabb box = Aabb.EMPTY;
         for (EntityRef ref : refs) {
-            box = box.union(document.entities()
+            box = box.union(Entities.LEVEL
                     .find(document.level(), ref)
                     .map(EntityBounds::of)
                     .orElse(Aabb.EMPTY));

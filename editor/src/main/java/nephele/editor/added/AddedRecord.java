@@ -139,7 +139,7 @@ public final class AddedRecord {
     private static Level added(Level level, String section, String wish, Vec3 at) {
         EntitySection list = Entities.LEVEL.list(section).orElseThrow();
         String id = Entities.LEVEL.freshId(level, section, wish);
-        return (Level) Entities.LEVEL.added(level, section, at(list.kinds().get(0), id, at));
+        return Entities.LEVEL.added(level, section, at(list.kinds().get(0), id, at));
     }
 
     private Level framed(Level level) {
@@ -150,8 +150,7 @@ public final class AddedRecord {
             return level;
         }
         Sky framed = new Sky.Skybox(box.layout(), box.files().subList(0, 1), box.whiteRadiance());
-        return (Level)
-                Entities.LEVEL.changed(level, List.of(EntityRef.single("environment.sky")), sky -> (Record) framed);
+        return Entities.LEVEL.changed(level, List.of(EntityRef.single("environment.sky")), sky -> (Record) framed);
     }
 
     /** Returns the level after an addition with a new portal that leads to itself joined with another one that does. */
@@ -168,7 +167,7 @@ public final class AddedRecord {
 
     private static Level linked(Level level, PortalSpec portal, PortalSpec partner) {
         RecordKind kind = RecordKind.of(portal);
-        return (Level) Entities.LEVEL.changed(
+        return Entities.LEVEL.changed(
                 level,
                 List.of(new EntityRef("portals", portal.id())),
                 entity -> kind.with(entity, kind.field("linkedTo").orElseThrow(), partner.id()));
@@ -180,9 +179,7 @@ public final class AddedRecord {
         }
         Level result = level.cameras().isEmpty() ? added(level, "cameras", "camera", new Vec3(0, 2, 8)) : level;
         RecordKind player = RecordKind.of(PlayerStart.class);
-        return result.player() != null
-                ? result
-                : (Level) Entities.LEVEL.added(result, "player", at(player, "", Vec3.ZERO));
+        return result.player() != null ? result : Entities.LEVEL.added(result, "player", at(player, "", Vec3.ZERO));
     }
 
     private Level planted(Level level) {
@@ -199,7 +196,7 @@ public final class AddedRecord {
                         && !before.models().contains(model))
                 .map(model -> new EntityRef("models", model.id()))
                 .toList();
-        return (Level) Entities.LEVEL.changed(result, fields, model -> ((ModelPlacement) model).asImpostor());
+        return Entities.LEVEL.changed(result, fields, model -> ((ModelPlacement) model).asImpostor());
     }
 
     /** Makes new references to a section name records of it; an optional one with nothing to name is absent. */
@@ -212,17 +209,17 @@ public final class AddedRecord {
         }
         boolean isBare = section.path().equals(MATERIALS) && level.materials().isEmpty();
         Level able = isBare ? MaterialLibrary.STANDARD.including(level, MaterialLibrary.FIRST) : level;
-        Record result = able;
+        Level result = able;
         for (EntitySection owners : Entities.LEVEL.lists()) {
             List<Record> changed = owners.entities(result).stream()
                     .map(owner -> referring(owner, section.path(), wrong, others(able, section, owners, owner)))
                     .toList();
             result = changed.equals(owners.entities(result)) ? result : owners.with(result, changed);
         }
-        return (Level) referring(result, section.path(), wrong, ids(able, section));
+        return referring(result, section.path(), wrong, ids(able, section));
     }
 
-    private static Record referring(Record owner, String section, Set<String> wrong, List<String> ids) {
+    private static <R extends Record> R referring(R owner, String section, Set<String> wrong, List<String> ids) {
         return RecordKind.mapped(owner, (field, value) -> {
             boolean isWrong = field.declaration().refersTo().equals(section) && value != null && wrong.contains(value);
             return !isWrong || ids.isEmpty() && field.isRequired() ? value : ids.isEmpty() ? null : ids.get(0);

@@ -80,7 +80,7 @@ public final class Deletion {
      *     others name the first entity that is left
      */
     public Snapshot after(Optional<String> substitute) {
-        Level rid = (Level) Entities.LEVEL.changed(before.level(), users(), entity -> replaced(entity, substitute));
+        Level rid = Entities.LEVEL.changed(before.level(), users(), entity -> replaced(entity, substitute));
         return before.with(rid).without(gone);
     }
 

@@ -24,7 +24,7 @@ public final class EntityTransform {
 
     /** Returns the level with entities moved. */
     public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by) {
-        return by.equals(Vec3.ZERO) ? level : (Level) Entities.LEVEL.changed(level, refs, entity -> moved(entity, by));
+        return by.equals(Vec3.ZERO) ? level : Entities.LEVEL.changed(level, refs, entity -> moved(entity, by));
     }
 
     /** Returns the level with entities moved, textures fixed to their brushes or to the world. */
@@ -33,7 +33,7 @@ public final class EntityTransform {
             return level;
         }
         LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
-        return (Level) Entities.LEVEL.changed(
+        return Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid ? (Record) solids.moved(solid, by) : moved(entity, by));
@@ -43,7 +43,7 @@ public final class EntityTransform {
     public static Level turned(
             Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, boolean isTextureLocked) {
         LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
-        return (Level) Entities.LEVEL.changed(
+        return Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid

@@ -248,7 +248,7 @@ public final class DroppedFile {
         Document document = session.document();
         try {
             Level scene = withOwnMaterials(session.background().get(() -> LevelFile.read(imported)), document.level());
-            Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at, document.entities());
+            Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at);
             document.edit(FileText.ADD_SCENE.words(), null, before -> after);
             Files.deleteIfExists(imported);
         } catch (LevelFormatException noLevel) {
@@ -270,7 +270,7 @@ public final class DroppedFile {
                 Set<String> taken = new HashSet<>();
                 result.materials().forEach(each -> taken.add(each.id()));
                 String id = Entities.LEVEL.freshId(level, MATERIALS, material.id(), taken);
-                result = (Level) Entities.LEVEL.renamed(result, new EntityRef(MATERIALS, material.id()), id);
+                result = Entities.LEVEL.renamed(result, new EntityRef(MATERIALS, material.id()), id);
             }
         }
         return result;
@@ -313,7 +313,7 @@ public final class DroppedFile {
     }
 
     private static Level painted(Level level, FaceRef face, String material) {
-        return (Level) Entities.LEVEL.changed(level, List.of(face.solid()), solid ->
+        return Entities.LEVEL.changed(level, List.of(face.solid()), solid ->
                 (Record) PaintTool.withFace((Solid) solid, face.face(), material));
     }
 
@@ -351,7 +351,7 @@ public final class DroppedFile {
     }
 
     private static Level added(Level level, String section, Record entity) {
-        return (Level) Entities.LEVEL.added(level, section, entity);
+        return Entities.LEVEL.added(level, section, entity);
     }
 
     private static Snapshot selected(Level level, String section, String id) {

@@ -21,13 +21,13 @@ public final class SessionWatch implements AutoCloseable {
     private final Executor background;
     private final FileWatch watch;
     private final Registration registration;
-    private volatile Of current = new Of(null, null);
+    private volatile Watched current = new Watched(null, null);
     /** Owned by the background thread, as the next one is. */
     private Path watchedFile;
 
     private Set<String> watchedAssets = Set.of();
 
-    private record Of(Path file, Level level) {}
+    private record Watched(Path file, Level level) {}
 
     /**
      * Begins to watch.
@@ -60,7 +60,7 @@ public final class SessionWatch implements AutoCloseable {
         if (level == current.level() && !isOtherFile) {
             return;
         }
-        Of now = new Of(file, level);
+        Watched now = new Watched(file, level);
         current = now;
         background.execute(() -> {
             if (isOtherFile || now == current) {
@@ -73,12 +73,12 @@ public final class SessionWatch implements AutoCloseable {
     }
 
     /** Only what names assets is compared: most edits change none. */
-    private void watch(Of of) {
-        Set<String> assets = NamedAssets.of(of.level());
-        if (!Objects.equals(of.file(), watchedFile) || !assets.equals(watchedAssets)) {
-            watchedFile = of.file();
+    private void watch(Watched now) {
+        Set<String> assets = NamedAssets.of(now.level());
+        if (!Objects.equals(now.file(), watchedFile) || !assets.equals(watchedAssets)) {
+            watchedFile = now.file();
             watchedAssets = assets;
-            watch.watch(of.file() == null ? List.of() : FileWatch.filesOf(of.file(), of.level()));
+            watch.watch(now.file() == null ? List.of() : FileWatch.filesOf(now.file(), now.level()));
         }
     }
 

@@ -208,14 +208,14 @@ public final class EntityMarks {
     }
 
     private void model(PlacedModel model) {
-        String name = "models/" + model.said().id();
+        String name = "models/" + model.authored().id();
         if (selected.contains(name) && !isHidden(name) && !model.bounds().isEmpty()) {
             wires(name).box(model.bounds());
         }
     }
 
     private void terrain(StaticShape.HeightGrid ground) {
-        String name = "terrains/" + ground.said().id();
+        String name = "terrains/" + ground.authored().id();
         if (selected.contains(name) && !isHidden(name)) {
             wires(name).box(ground.bounds());
         }

@@ -154,7 +154,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         boolean isOfOneSymbol = ref.section().equals(Picker.SOLIDS);
         Optional<Record> entity = isOfOneSymbol
                 ? Optional.empty()
-                : session.document().entities().find(session.document().level(), ref);
+                : Entities.LEVEL.find(session.document().level(), ref);
         return EntityIcons.of(
                 ref.section(),
                 entity.map(record -> RecordKind.of(record).name()).orElse(""));
@@ -368,10 +368,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
             session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
             return;
         }
-        if (session.document()
-                .entities()
-                .find(session.document().level(), renamed)
-                .isPresent()) {
+        if (Entities.LEVEL.find(session.document().level(), renamed).isPresent()) {
             session.status(PanelText.ID_TAKEN.with(id));
             return;
         }
@@ -380,8 +377,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
 
     /** Selects what refers to an entity, and reports how much it is. */
     private void selectUsages(EntityRef ref) {
-        Set<EntityRef> usages =
-                session.document().entities().usages(session.document().level(), ref);
+        Set<EntityRef> usages = Entities.LEVEL.usages(session.document().level(), ref);
         if (usages.isEmpty()) {
             session.status(PanelText.NO_USAGES.with(ref.shortName()));
         } else {

@@ -68,14 +68,14 @@ record EntityPath(EntitySection section, int index, String rest) {
                 changed.add(kept);
             }
         }
-        return isThere ? (Level) section.with(level, changed) : level;
+        return isThere ? section.with(level, changed) : level;
     }
 
     /** Returns a level with another record at this place of the list. */
     Level replacedAt(Level level, Record other) {
         List<Record> changed = new ArrayList<>(section.entities(level));
         changed.set(index, other);
-        return (Level) section.with(level, changed);
+        return section.with(level, changed);
     }
 
     /** Returns the name of the face that the path leads to; empty for the solid itself. */
@@ -123,7 +123,7 @@ record EntityPath(EntitySection section, int index, String rest) {
             return (Solid) ofSolid.apply((Record) solid);
         }
         return SolidFaces.names(solid).contains(name)
-                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.said(solid, name)))
+                ? SolidFaces.with(solid, name, ofFace.apply(SolidFaces.authored(solid, name)))
                 : solid;
     }
 }

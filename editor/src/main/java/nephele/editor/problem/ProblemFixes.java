@@ -154,7 +154,7 @@ final class ProblemFixes {
     }
 
     private static Level withoutSky(Level now) {
-        return (Level) Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
+        return Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
     }
 
     private LevelProblem.Fix withoutPortals(Problem problem) {

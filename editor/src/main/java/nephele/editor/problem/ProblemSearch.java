@@ -1,6 +1,7 @@
 package nephele.editor.problem;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -111,13 +112,10 @@ public final class ProblemSearch {
     private static List<LevelProblem> listed(Level level, StaticShapes statics, List<Problem> found) {
         ProblemFixes fixes = new ProblemFixes(level, statics);
         List<LevelProblem> listed = new ArrayList<>();
-        for (Problem.Severity severity : Problem.Severity.values()) {
-            for (Problem problem : found) {
-                if (problem.severity() == severity && isListed(problem)) {
-                    listed.add(listed(level, problem, fixes));
-                }
-            }
-        }
+        found.stream()
+                .filter(ProblemSearch::isListed)
+                .sorted(Comparator.comparing(Problem::isError).reversed())
+                .forEach(problem -> listed.add(listed(level, problem, fixes)));
         listed.addAll(of(level, statics));
         return numbered(listed);
     }

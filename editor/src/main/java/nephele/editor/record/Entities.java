@@ -101,8 +101,8 @@ public final class Entities {
     }
 
     /** Returns the level with the records of some entities changed; unknown names are ignored. */
-    public Record changed(Record root, Collection<EntityRef> refs, UnaryOperator<Record> change) {
-        Record result = root;
+    public <R extends Record> R changed(R root, Collection<EntityRef> refs, UnaryOperator<Record> change) {
+        R result = root;
         Set<EntityRef> wanted = new HashSet<>(refs);
         for (SingleSection single : singles) {
             if (wanted.contains(EntityRef.single(single.path())) && single.get(result) != null) {
@@ -115,8 +115,8 @@ public final class Entities {
         return result;
     }
 
-    private static Record changedList(
-            Record root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
+    private static <R extends Record> R changedList(
+            R root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
         if (wanted.stream().noneMatch(ref -> ref.section().equals(section.path()))) {
             return root;
         }
@@ -132,7 +132,7 @@ public final class Entities {
     }
 
     /** Returns the level with an entity at the end of its section, or as its single record. */
-    public Record added(Record root, String sectionPath, Record entity) {
+    public <R extends Record> R added(R root, String sectionPath, Record entity) {
         Optional<EntitySection> list = list(sectionPath);
         if (list.isPresent()) {
             List<Record> entities = new ArrayList<>(list.get().entities(root));
@@ -143,7 +143,7 @@ public final class Entities {
     }
 
     /** Returns the level with one entity replaced by others in its place. */
-    public Record replaced(Record root, EntityRef ref, List<? extends Record> others) {
+    public <R extends Record> R replaced(R root, EntityRef ref, List<? extends Record> others) {
         EntitySection section = list(ref.section()).orElseThrow();
         List<Record> entities = new ArrayList<>();
         for (Record entity : section.entities(root)) {
@@ -157,8 +157,8 @@ public final class Entities {
     }
 
     /** Returns the level without some entities; single records that must exist stay. */
-    public Record without(Record root, Collection<EntityRef> refs) {
-        Record result = root;
+    public <R extends Record> R without(R root, Collection<EntityRef> refs) {
+        R result = root;
         Set<EntityRef> unwanted = new HashSet<>(refs);
         for (SingleSection single : singles) {
             if (single.isOptional()
@@ -200,13 +200,13 @@ public final class Entities {
     }
 
     /** Returns the level with another id of an entity and of all references to it. */
-    public Record renamed(Record root, EntityRef ref, String newId) {
-        Record result = changed(root, List.of(ref), entity -> withId(entity, newId));
+    public <R extends Record> R renamed(R root, EntityRef ref, String newId) {
+        R result = changed(root, List.of(ref), entity -> withId(entity, newId));
         return withReferences(result, ref.section(), id -> id.equals(ref.id()) ? newId : id);
     }
 
     /** Returns a record with another id. */
-    public static Record withId(Record entity, String id) {
+    public static <R extends Record> R withId(R entity, String id) {
         RecordKind kind = RecordKind.of(entity);
         RecordField field =
                 kind.fields().stream().filter(RecordField::isId).findFirst().orElseThrow();
@@ -240,7 +240,7 @@ public final class Entities {
     }
 
     /** Returns a record with other references to a section's entities; {@code null} for an id drops it. */
-    public static Record withReferences(Record entity, String section, UnaryOperator<String> change) {
+    public static <R extends Record> R withReferences(R entity, String section, UnaryOperator<String> change) {
         return RecordKind.mapped(
                 entity,
                 (field, value) -> field.declaration().refersTo().equals(section) && value != null

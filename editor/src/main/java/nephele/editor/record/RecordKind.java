@@ -93,18 +93,17 @@ public final class RecordKind {
     }
 
     /** Returns the record with another value of one component. */
-    public Record with(Record owner, RecordField field, Object value) {
+    @SuppressWarnings("unchecked") // a kind makes records of its own class
+    public <R extends Record> R with(R owner, RecordField field, Object value) {
         Object[] values = written.values(owner);
         values[field.index()] = value;
-        return written.make(values);
+        return (R) written.make(values);
     }
 
     /** Returns the record with another value of the component of this name. */
     public static <R extends Record> R with(R owner, String name, Object value) {
         RecordKind kind = of(owner);
-        @SuppressWarnings("unchecked") // a kind makes records of its own class
-        R changed = (R) kind.with(owner, kind.field(name).orElseThrow(), value);
-        return changed;
+        return kind.with(owner, kind.field(name).orElseThrow(), value);
     }
 
     /** Returns the record with these components, which are in the order of {@link #fields}. */
@@ -124,7 +123,8 @@ public final class RecordKind {
      *
      * @param change returns a value's replacement, or the same object for none; the value may be {@code null}
      */
-    public static Record mapped(Record owner, BiFunction<RecordField, Object, Object> change) {
+    @SuppressWarnings("unchecked") // a kind makes records of its own class
+    public static <R extends Record> R mapped(R owner, BiFunction<RecordField, Object, Object> change) {
         RecordKind kind = RecordKind.of(owner);
         Object[] values = kind.values(owner);
         boolean differs = false;
@@ -134,7 +134,7 @@ public final class RecordKind {
             values[field.index()] = after;
             differs |= after != before;
         }
-        return differs ? kind.make(values) : owner;
+        return differs ? (R) kind.make(values) : owner;
     }
 
     private static Object mapped(RecordField field, Object value, BiFunction<RecordField, Object, Object> change) {

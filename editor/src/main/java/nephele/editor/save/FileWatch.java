@@ -23,8 +23,8 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 
 /**
- * Tells when watched files change on disk. Notifications of the system make it look at once; it also looks every second,
- * because network folders and full tables of watches give none. The document's own saves are told, too: {@link
+ * Reports when watched files change on disk. Notifications of the system make it look at once; it also looks every second,
+ * because network folders and full tables of watches give none. The document's own saves are reported, too: {@link
  * DocumentFile#outside} knows them.
  */
 public final class FileWatch implements AutoCloseable {
@@ -33,8 +33,10 @@ public final class FileWatch implements AutoCloseable {
     /** A program that writes a file in parts is waited for until it pauses this long. */
     private static final long QUIET_MILLIS = 100;
 
-    private Map<Path, Version> files = Map.of();
     private static final Version MISSING = new Version(null, -1, "");
+
+    /** The watched files with what they held when they were read last. */
+    private Map<Path, Version> files = Map.of();
 
     private final Consumer<Set<Path>> changed;
     private final WatchService service;

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.EditorRefusal;
@@ -15,7 +16,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.terrain.LayerPaint;
 
@@ -122,8 +122,8 @@ public final class TerrainPainting {
 
     private Snapshot withMap(Snapshot start, String id) {
         EntityRef ref = new EntityRef(SECTION, painted.id());
-        return start.with((Level) document.entities()
-                .changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
+        return start.with(
+                Entities.LEVEL.changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
     }
 
     /**

@@ -46,7 +46,7 @@ public final class TerrainSight {
         double limit = Double.POSITIVE_INFINITY;
         for (StaticShape.HeightGrid grid : grids(level, assets)) {
             HeightField field = grid.field();
-            boolean isVisible = !hidden.contains("terrains/" + grid.said().id());
+            boolean isVisible = !hidden.contains("terrains/" + grid.authored().id());
             if (isVisible && field.nearest(ray, limit, sees(field), hit)) {
                 limit = hit.distance();
                 nearest = new Hit(level.terrains().get(grid.index()), field, ray.at(limit));

@@ -32,7 +32,7 @@ public record HeightMap(int columns, int rows, int bits, short[] values) {
     private static final double ROUGHER = 4;
 
     /** Fewer samples along a side tell nothing. */
-    private static final int LEAST_TOLD = 8;
+    private static final int LEAST_JUDGED = 8;
 
     /** About as many samples are looked at. */
     private static final int LOOKED_AT = 1 << 20;
@@ -42,7 +42,7 @@ public record HeightMap(int columns, int rows, int bits, short[] values) {
      * range, would be far smaller if they were. Noise, steps of 256 and values of 8 bits are equal either way.
      */
     public boolean seemsSwapped() {
-        return bits == 16 && Math.min(columns, rows) >= LEAST_TOLD && roughness(false) > ROUGHER * roughness(true);
+        return bits == 16 && Math.min(columns, rows) >= LEAST_JUDGED && roughness(false) > ROUGHER * roughness(true);
     }
 
     /** Returns the mean step between neighbours as a share of the range; 0 for a plane. */

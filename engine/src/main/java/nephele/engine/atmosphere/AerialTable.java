@@ -121,11 +121,6 @@ public final class AerialTable {
         values[at + CHANNELS] = (float) (EXTINCTION_SCALE * depth / metres);
     }
 
-    /** Returns tan(e / 2) of the horizon's elevation e, at most 0: where the rows are densest. */
-    public double horizon() {
-        return horizon;
-    }
-
     /** Returns the sine of a row's elevation. */
     private double sine(int row) {
         double fraction = 2.0 * row / (ROWS - 1) - 1;
@@ -142,16 +137,6 @@ public final class AerialTable {
 
     private static int index(int slice, int row, int column) {
         return ((slice * ROWS + row) * AZIMUTHS + column) * NUMBERS;
-    }
-
-    /** Returns the height of the eye, from 0 to {@link Air#TOP_METRES}. */
-    public double heightMetres() {
-        return heightMetres;
-    }
-
-    /** Returns the sine of the sun's elevation. */
-    public double sunSine() {
-        return sunSine;
     }
 
     /** Returns the texels of a texture of RGBA, slice by slice. */

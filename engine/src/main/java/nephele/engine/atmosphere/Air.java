@@ -115,7 +115,7 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
      * @param sunSine of the elevation of the sun's middle
      */
     public Vec3 sunlight(double heightMetres, double sunSine) {
-        SunOverLimb disc = SunOverLimb.seen(sunRadiusRadians, heightMetres, sunSine);
+        SunOverLimb disc = SunOverLimb.of(sunRadiusRadians, heightMetres, sunSine);
         if (disc.fraction() == 0) {
             return Vec3.ZERO;
         }

@@ -20,8 +20,8 @@ public record SunOverLimb(double fraction, double lowSine, double highSine) {
     private static final double LEAST_FRACTION = 1e-12;
 
     /** Returns what is visible of the sun from a height, where its middle has an elevation. */
-    public static SunOverLimb seen(double heightMetres, double sunSine) {
-        return seen(RADIUS_RADIANS, heightMetres, sunSine);
+    public static SunOverLimb of(double heightMetres, double sunSine) {
+        return of(RADIUS_RADIANS, heightMetres, sunSine);
     }
 
     /**
@@ -29,7 +29,7 @@ public record SunOverLimb(double fraction, double lowSine, double highSine) {
      *
      * @param radiusRadians 0 for a point, which is visible if the planet does not hide it
      */
-    public static SunOverLimb seen(double radiusRadians, double heightMetres, double sunSine) {
+    public static SunOverLimb of(double radiusRadians, double heightMetres, double sunSine) {
         if (sunSine > HIGH_SINE) {
             return new SunOverLimb(1, sunSine, sunSine);
         }

@@ -24,7 +24,7 @@ final class Sunlight {
      * @param sunSine of the elevation of the sun's middle
      */
     void put(double heightMetres, double sunSine, double[] irradiance) {
-        SunOverLimb disc = SunOverLimb.seen(radiusRadians, heightMetres, sunSine);
+        SunOverLimb disc = SunOverLimb.of(radiusRadians, heightMetres, sunSine);
         if (disc.fraction() == 0) {
             Arrays.fill(irradiance, 0);
             return;
@@ -51,7 +51,7 @@ final class Sunlight {
 
     /** Puts the fraction of the sun's irradiance that arrives on level ground at height 0, for each wavelength. */
     void putOnGround(double sunSine, double[] irradiance) {
-        SunOverLimb disc = SunOverLimb.seen(radiusRadians, 0, sunSine);
+        SunOverLimb disc = SunOverLimb.of(radiusRadians, 0, sunSine);
         air.putDepth(0, disc.lowSine(), depth);
         air.putDepth(0, disc.highSine(), depthHigh);
         for (int c = 0; c < Air.CHANNELS; c++) {

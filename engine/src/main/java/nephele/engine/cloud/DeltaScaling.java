@@ -14,16 +14,6 @@ public record DeltaScaling(double depthFactor, double albedo, double g) {
     private static final double LEAST_G = -2.0 / 3;
 
     /**
-     * Returns the scaled medium of one that scatters as Henyey and Greenstein's function.
-     *
-     * @param albedo 0 to 1
-     * @param g −1 to 1
-     */
-    public static DeltaScaling of(double albedo, double g) {
-        return of(albedo, g, g > 0 ? g * g : 0);
-    }
-
-    /**
      * Returns the scaled medium.
      *
      * @param albedo 0 to 1

@@ -37,7 +37,7 @@ public record HenyeyGreenstein(double g) implements PhaseFunction {
     }
 
     /**
-     * Returns the separation that a random direction exceeds with probability {@code share}: the inverse of the usual
+     * Returns the separation that a random direction exceeds with probability {@code fraction}: the inverse of the usual
      * distribution of cos θ, transformed so that nothing is divided by g.
      */
     double separationAt(double fraction) {

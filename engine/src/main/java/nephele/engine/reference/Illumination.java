@@ -114,18 +114,18 @@ final class Illumination {
             PixelSample sample,
             Vector3d sum) {
         PunctualLight light = lights.get(index);
-        Vector3d way = light.position().toVector().sub(origin);
-        double distance = way.length();
-        if (distance >= light.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
+        Vector3d toLight = light.position().toVector().sub(origin);
+        double distance = toLight.length();
+        if (distance >= light.rangeMetres() || surface.faceNormal().dot(toLight) <= 0) {
             return;
         }
         Vector3d irradiance = light.irradianceAt(surface.place());
         boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
         boolean casts = light.source().castsShadow();
-        if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, way, 1, surface.item()))) {
-            way.div(distance);
-            double fraction = casts ? cover.fraction(origin, way, distance, sample.random()) : 1;
-            sum.add(surface.reflected(way).mul(irradiance).mul(fraction));
+        if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, toLight, 1, surface.item()))) {
+            toLight.div(distance);
+            double fraction = casts ? cover.fraction(origin, toLight, distance, sample.random()) : 1;
+            sum.add(surface.reflected(toLight).mul(irradiance).mul(fraction));
         }
     }
 

@@ -32,7 +32,6 @@ public final class TracedLevel {
     private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
-    private final ReflectingFaces mirrors;
     private final ExitLight exits;
 
     private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
@@ -44,12 +43,11 @@ public final class TracedLevel {
                 statics,
                 BodyPiece.of(level, portals),
                 level.bodies().size(),
-                TracedBillboards.of(placed, decoding, seconds),
+                BillboardShape.of(placed, decoding, seconds),
                 TriangleMeshShape.Planted.of(placed));
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
-                new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
-        mirrors = ReflectingFaces.of(statics.solids(), textures);
+                FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
@@ -85,7 +83,7 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new Shafts.ShadowRays(rays, shafts));
+        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), new Shafts.ShadowRays(rays, shafts));
     }
 
     public boolean hasClouds() {
@@ -120,7 +118,7 @@ public final class TracedLevel {
 
     /** Returns an object for one thread that finds visible surfaces. */
     public VisibleSurface sight(Pinhole eye) {
-        return new VisibleSurface(rays, new EyePath(rays, portals, mirrors), eye);
+        return new VisibleSurface(rays, new EyePath(rays, portals, looks.solids()), eye);
     }
 
     Illumination light() {
@@ -168,19 +166,19 @@ public final class TracedLevel {
         if (air.isEmpty()) {
             return radiance;
         }
-        Vector3d seen = air.get().over(radiance, place, direction.toVector(), metres);
+        Vector3d arriving = air.get().over(radiance, place, direction.toVector(), metres);
         Vec3 eye = place.addScaled(-metres, direction);
-        shade.ifPresent(all -> seen.sub(all.taken(eye, direction, metres, random)));
-        return seen;
+        shade.ifPresent(all -> arriving.sub(all.taken(eye, direction, metres, random)));
+        return arriving;
     }
 
     /** Returns what an eye sees at a path's end where nothing is. */
     Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
         Vector3d away = new Vector3d(path.direction()).normalize();
-        Vector3d seen = sky(eyeHeight, away);
+        Vector3d arriving = sky(eyeHeight, away);
         shade.ifPresent(
-                all -> seen.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
-        return seen;
+                all -> arriving.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
+        return arriving;
     }
 
     /**

@@ -43,24 +43,24 @@ final class Tracer {
         Vec3 place = path.ray().at(path.end());
         Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
         SurfacePoint surface = level.surface(path, place, toEye);
-        Vector3d seen =
+        Vector3d throughAir =
                 level.throughAir(level.light().radiance(surface, shadows, sample), place, path, sample.random());
-        Vector3d radiance = level.throughFog(seen, path.lastSegment(), path.metres());
+        Vector3d radiance = level.throughFog(throughAir, path.lastSegment(), path.metres());
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
     private Vector3d fromSky(PixelSample sample) {
-        Vector3d seen = level.sky(from.y(), path, sample.random());
-        Vector3d radiance = level.throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
+        Vector3d throughAir = level.sky(from.y(), path, sample.random());
+        Vector3d radiance = level.throughFog(throughAir, path.lastSegment(), Double.POSITIVE_INFINITY);
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
     private Vector3d fromCloud(CloudSight.Met cloud, PixelSample sample) {
         Vec3 place = cloud.ray().at(cloud.collision().metres());
         Vector3d scattered = clouds.radiance(cloud, sample.random());
-        Vector3d seen =
+        Vector3d throughAir =
                 level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), sample.random());
-        Vector3d radiance = level.throughFog(seen, cloud.segment(), cloud.metres());
+        Vector3d radiance = level.throughFog(throughAir, cloud.segment(), cloud.metres());
         List<EyePath.Reflected> mirrors = path.reflected().stream()
                 .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
                 .toList();

@@ -238,10 +238,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void drawPasses(ViewNode node, FrameState frameState, RenderTarget surface, ViewCopies viewCopies) {
-        VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
+        VisibleSet solids = scene.solids().isEmpty() ? null : visible(node);
         FrameContext context = context(node.depth());
         context.begin(frameState, surface);
-        context.setView(node.view(), node, seen, settings.limits(node));
+        context.setView(node.view(), node, solids, settings.limits(node));
         passes.drawView(context, viewCopies);
     }
 
@@ -252,7 +252,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         return contexts.get(depth);
     }
 
-    private VisibleSet see(ViewNode node) {
+    private VisibleSet visible(ViewNode node) {
         while (visible.size() <= node.depth()) {
             visible.add(new VisibleSet(scene.solids()));
         }

@@ -150,7 +150,7 @@ public final class SolidGeometry {
     private MeshCopy knownModels(SceneMaterials now) {
         Set<String> changed = now.changedSince(materials);
         boolean isOneChanged = drawn.models().all().stream()
-                .anyMatch(model -> changed.contains(model.said().material()));
+                .anyMatch(model -> changed.contains(model.authored().material()));
         return isOneChanged ? null : new MeshCopy(modelSpans, models, batches(true));
     }
 

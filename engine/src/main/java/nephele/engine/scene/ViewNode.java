@@ -155,16 +155,16 @@ public final class ViewNode {
     }
 
     /** Becomes a drawn view, clipped at the opening's exit plane. */
-    void open(ViewTree.Projections projections, PixelRectangle picture) {
-        look(projections);
+    void open(ViewTree tree, PixelRectangle picture) {
+        look(tree);
         terminal = false;
         setFrustum(picture);
     }
 
     /** Sets the view behind the opening. */
-    void look(ViewTree.Projections projections) {
+    void look(ViewTree tree) {
         View before = parent.view;
-        Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
+        Projection projection = tree.pushed(before.projection(), NEAR_SHARE * region.nearest());
         own.setThrough(before, opening, projection);
         view = own;
     }

@@ -14,7 +14,7 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.rule.LevelRules;
 
 /**
- * What a list tells of a level.
+ * The name, aim, par and picture of a level for a list, and its problems.
  *
  * @param name the level's own; empty for none
  * @param par {@code null} for none

@@ -9,7 +9,7 @@ package nephele.host.playthrough;
 public record CrosshairState(double right, double down, Half first, Half second) {
     public static final CrosshairState MIDDLE = new CrosshairState(0, 0, null, null);
 
-    /** Tells if a shot would open the portal at the place aimed at. */
+    /** Whether a shot would open the portal at the place aimed at. */
     public enum Shot {
         OPENS,
         REFUSED

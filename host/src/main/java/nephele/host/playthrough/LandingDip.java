@@ -4,7 +4,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.SimState;
 
 /**
- * The way by which the eye and the character's body sink after a landing and come back, the farther the faster the
+ * The displacement by which the eye and the character's body sink after a landing and come back, the farther the faster the
  * landing was: the spring of {@link CameraSpring}. A function of the ticks; the simulation does not depend on it.
  */
 record LandingDip(CameraSpring spring) {

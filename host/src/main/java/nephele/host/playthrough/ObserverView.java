@@ -3,10 +3,10 @@ package nephele.host.playthrough;
 import java.util.List;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.level.placed.ModelBounds;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 import nephele.engine.sim.player.PlayerPose;
@@ -20,7 +20,7 @@ public final class ObserverView {
     private final Level.Observer authored;
     private final Camera camera;
     private final ModelBounds bounds;
-    private Bounds shown;
+    private Bound shown;
     private View view;
 
     private ObserverView(Level level, PlacedModels models) {
@@ -40,11 +40,11 @@ public final class ObserverView {
 
     /** Goes to the next kind of bounds. */
     public void nextBounds() {
-        shown = Bounds.values()[(shown.ordinal() + 1) % Bounds.values().length];
+        shown = Bound.values()[(shown.ordinal() + 1) % Bound.values().length];
     }
 
     /** Returns the kind of bounds that the sphere touches. */
-    public Bounds shown() {
+    public Bound shown() {
         return shown;
     }
 

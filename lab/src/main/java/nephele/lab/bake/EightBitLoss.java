@@ -3,7 +3,7 @@ package nephele.lab.bake;
 import java.util.Locale;
 
 /**
- * What pictures of 8 bits lose of linear radiance.
+ * The loss of linear radiance in pictures of 8 bits.
  *
  * @param white radiance of the greatest code
  * @param clipped pixels of which a channel is above white

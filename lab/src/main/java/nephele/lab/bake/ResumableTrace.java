@@ -24,9 +24,9 @@ import nephele.host.terminal.PrintedProgress;
  * Traces pictures of one level, or shards of them, into a part file each: an interrupted run goes on from the tiles that
  * are on disk.
  *
- * @param tell receives progress
+ * @param log receives progress
  */
-public record ResumableTrace(List<Part> parts, PrintStream tell) {
+public record ResumableTrace(List<Part> parts, PrintStream log) {
     /**
      * A picture or a shard of it.
      *
@@ -113,12 +113,12 @@ public record ResumableTrace(List<Part> parts, PrintStream tell) {
         for (Open part : open) {
             part.file
                     .replaced()
-                    .ifPresent(difference -> tell.println(part.part.file + " was of another picture: " + difference));
+                    .ifPresent(difference -> log.println(part.part.file + " was of another picture: " + difference));
         }
         if (found > 0) {
-            tell.println("resumed at " + (int) (100 * before) + " %");
+            log.println("resumed at " + (int) (100 * before) + " %");
         }
-        var progress = PrintedProgress.ofTrace(tell, before);
+        var progress = PrintedProgress.ofTrace(log, before);
         var done = new AtomicInteger(found);
         long pixels = 0;
         long start = System.nanoTime();
@@ -132,12 +132,12 @@ public record ResumableTrace(List<Part> parts, PrintStream tell) {
                 progress.accept((double) done.incrementAndGet() / count);
             });
         }
-        tellSpeed(pixels * settings.samples(), settings.threads(), (System.nanoTime() - start) / 1e9);
+        reportSpeed(pixels * settings.samples(), settings.threads(), (System.nanoTime() - start) / 1e9);
     }
 
-    private void tellSpeed(long paths, int threads, double seconds) {
+    private void reportSpeed(long paths, int threads, double seconds) {
         if (paths > 0) {
-            tell.println(String.format(
+            log.println(String.format(
                     Locale.ROOT,
                     "%,d paths by %d threads in %.1f s: %,.0f a second",
                     paths,

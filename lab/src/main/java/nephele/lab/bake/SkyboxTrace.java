@@ -61,11 +61,11 @@ public final class SkyboxTrace {
      * Traces the six pictures; an interrupted run goes on when it is started again.
      *
      * @param side of a picture, pixels
-     * @param tell receives progress
+     * @param log receives progress
      */
-    public BakedSkybox run(List<ResumableTrace.Part> parts, TraceSettings settings, PrintStream tell)
+    public BakedSkybox run(List<ResumableTrace.Part> parts, TraceSettings settings, PrintStream log)
             throws IOException {
-        List<TiledPicture> pictures = new ResumableTrace(parts, tell).run(sky, settings);
+        List<TiledPicture> pictures = new ResumableTrace(parts, log).run(sky, settings);
         Sun onGround = Daylight.onGround(lit);
         double fraction = onGround == null
                 ? 1

@@ -32,14 +32,14 @@ final class PagePictures implements AutoCloseable {
     private final Path folder;
     private final int width;
     private final int height;
-    private final PrintStream tell;
+    private final PrintStream log;
     private GlContext gl;
 
-    PagePictures(Path folder, int width, int height, PrintStream tell) {
+    PagePictures(Path folder, int width, int height, PrintStream log) {
         this.folder = folder;
         this.width = width;
         this.height = height;
-        this.tell = tell;
+        this.log = log;
     }
 
     /** Returns a picture as the address of an image element; empty if its level does not exist. */
@@ -59,10 +59,10 @@ final class PagePictures implements AutoCloseable {
             try {
                 opened = new LevelName(command.level()).open();
             } catch (LevelFormatException missing) {
-                tell.println("page without a picture: " + missing.getMessage());
+                log.println("page without a picture: " + missing.getMessage());
                 return Optional.empty();
             }
-            tell.println("picture: " + command.words());
+            log.println("picture: " + command.words());
             draw(command, opened, file);
         }
         return Optional.of(Pictures.dataAddress(file));

@@ -31,7 +31,7 @@ public final class TradeSite implements AutoCloseable {
     private final TradeView viewpoint;
     private final Extent extent;
     private final Path folder;
-    private final PrintStream tell;
+    private final PrintStream log;
     private GlContext gl;
 
     /**
@@ -46,12 +46,12 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for files that are kept between runs */
-    public TradeSite(OpenedLevel opened, TradeView viewpoint, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(OpenedLevel opened, TradeView viewpoint, Extent extent, Path folder, PrintStream log) {
         this.opened = opened;
         this.viewpoint = viewpoint;
         this.extent = extent;
         this.folder = folder;
-        this.tell = tell;
+        this.log = log;
     }
 
     public Level level() {
@@ -83,7 +83,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private TradeSite sharing(OpenedLevel other, TradeView view) {
-        var site = new TradeSite(other, view, extent, folder, tell);
+        var site = new TradeSite(other, view, extent, folder, log);
         site.gl = gl();
         return site;
     }
@@ -113,7 +113,7 @@ public final class TradeSite implements AutoCloseable {
     public Scene scene(Level level) {
         return opened.reporting(() -> {
             var placed = opened.placed().edited(level);
-            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
+            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(log)));
         });
     }
 
@@ -132,7 +132,7 @@ public final class TradeSite implements AutoCloseable {
     private float[] trace(Pinhole eye, TraceSettings settings) {
         var level = opened.reporting(() -> TracedLevel.of(
                 TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
-        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
+        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(log));
     }
 
     @Override

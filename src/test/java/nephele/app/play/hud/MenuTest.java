@@ -68,12 +68,14 @@ class MenuTest {
         String problem = "materials[1].texture: there is no such file; put it into the level's folder. ";
         double before = 99;
         for (int times : new int[] {1, 2, 9}) {
-            var foot = MenuPanel.Foot.of(canvas, path + ": " + problem.repeat(times));
-            assertTrue(foot.firstBaseline() + (foot.lines().size() - 1) * foot.em() * 1.27 < 66, times + ": " + foot);
+            var foot = MenuPanel.foot(canvas, path + ": " + problem.repeat(times));
+            assertTrue(
+                    MenuPanel.firstBaseline(foot) + (foot.lines().size() - 1) * foot.em() * 1.27 < 66,
+                    times + ": " + foot);
             assertTrue(foot.em() <= before && foot.em() >= 10, times + ": " + foot);
             assertEquals(times == 9, foot.lines().get(foot.lines().size() - 1).endsWith(" …"), times + ": " + foot);
             before = foot.em();
         }
-        assertEquals(List.of("Esc back"), MenuPanel.Foot.of(canvas, "Esc back").lines());
+        assertEquals(List.of("Esc back"), MenuPanel.foot(canvas, "Esc back").lines());
     }
 }

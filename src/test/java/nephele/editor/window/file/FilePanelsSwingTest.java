@@ -254,7 +254,7 @@ class FilePanelsSwingTest {
         }
         assertEquals(
                 "seen",
-                SolidFaces.said(session.document().level().solids().get(0), "+y")
+                SolidFaces.authored(session.document().level().solids().get(0), "+y")
                         .material());
         assertEquals(1, refused.size());
         assertEquals(2, refused.get(0).english().lines().count());

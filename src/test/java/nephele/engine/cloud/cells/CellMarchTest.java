@@ -26,7 +26,8 @@ class CellMarchTest {
 
     private static CellStack stack(ExtinctionField field, CellBox cells, CloudLight physics, Vec3 towardsSun) {
         DensityCells density = DensityCells.of(field, cells);
-        LightCells light = LightCells.of(List.of(density), false, physics, LightCells.Around.sun(towardsSun));
+        LightCells light = LightCells.of(
+                List.of(density), false, physics, new LightCells.Around(towardsSun, List.of(), LightCells.DIVISOR));
         return CellStack.finite(density, light, physics);
     }
 

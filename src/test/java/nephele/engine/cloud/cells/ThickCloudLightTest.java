@@ -29,7 +29,8 @@ class ThickCloudLightTest {
                 Aabb.around(Vec3.ZERO, new Vec3(2 * RADIUS, 2 * RADIUS, 2 * RADIUS)), depth / (2 * RADIUS));
         DensityCells density =
                 DensityCells.of(field, CellBox.of(field.bounds(), 48).padded());
-        LightCells light = LightCells.of(List.of(density), false, WHITE, LightCells.Around.sun(SUN));
+        LightCells light = LightCells.of(
+                List.of(density), false, WHITE, new LightCells.Around(SUN, List.of(), LightCells.DIVISOR));
         return CellStack.finite(density, light, WHITE);
     }
 

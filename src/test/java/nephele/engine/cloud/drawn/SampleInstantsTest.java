@@ -42,7 +42,7 @@ class SampleInstantsTest {
                 double seconds = keyframe.timeSeconds();
                 for (Weather weather : Weather.values()) {
                     assertEquals(
-                            weather == keyframe.weather() ? 1 : 0, course.share(weather, seconds), "at " + seconds);
+                            weather == keyframe.weather() ? 1 : 0, course.weight(weather, seconds), "at " + seconds);
                 }
                 if (course.changes()) {
                     assertEquals(seconds, instants.from(seconds));
@@ -74,7 +74,7 @@ class SampleInstantsTest {
                         span + " at " + seconds);
                 double sum = 0;
                 for (Weather weather : Weather.values()) {
-                    sum += course.share(weather, seconds);
+                    sum += course.weight(weather, seconds);
                 }
                 assertEquals(1, sum, 1e-12);
             }

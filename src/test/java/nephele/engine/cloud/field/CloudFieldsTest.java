@@ -32,7 +32,7 @@ class CloudFieldsTest {
     private static ExtinctionField field(
             Cloud.Extent extent, Cloud.Density density, byte[] file, double extinctionPerMetre) {
         var cloud = new Cloud("c", extent, CloudTechnique.AUTO, density, extinctionPerMetre, 1, 0);
-        return CloudFields.of(cloud, TestPictures.always(file));
+        return CloudFields.of(cloud, TestPictures.always(file), 0);
     }
 
     private static byte[] vol(float... values) {
@@ -104,7 +104,7 @@ class CloudFieldsTest {
                 var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(4, thickness, 1));
                 var cloud =
                         new Cloud("c", extent, CloudTechnique.AUTO, new Cloud.Density.Image("a.png"), extinction, 1, 0);
-                ExtinctionField field = CloudFields.of(cloud, TestPictures.always(file));
+                ExtinctionField field = CloudFields.of(cloud, TestPictures.always(file), 0);
                 for (int i = 0; i < alphas.length; i++) {
                     Ray up = new Ray(i - 1.5, -thickness, 0, 0, 1, 0);
                     double depth = OpticalDepth.along(field, up, 0, 2 * thickness);

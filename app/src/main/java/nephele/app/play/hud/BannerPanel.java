@@ -27,7 +27,7 @@ final class BannerPanel {
     BannerPanel(OverlayCanvas canvas, Area area, Box room, HudContent.Banner banner, double topFraction) {
         this.banner = banner;
         usual = Math.min(1, Math.max(LEAST_SCALE, area.height() / FULL_SIZE_HEIGHT));
-        lines = TextLines.of(canvas, LINE_EM, Math.max(LINE_EM, room.width() / usual - 4 * PADDING), banner.line());
+        lines = TextLines.broken(canvas, LINE_EM, Math.max(LINE_EM, room.width() / usual - 4 * PADDING), banner.line());
         double widest = canvas.width(TITLE_EM, banner.title());
         for (String line : lines) {
             widest = Math.max(widest, canvas.width(LINE_EM, line));

@@ -61,7 +61,7 @@ public record Menu(
     }
 
     /**
-     * What is told of an entry beside the menu.
+     * The details of an entry, beside the menu.
      *
      * @param picture {@code null} for none
      * @param text below the facts; its line ends begin new paragraphs

@@ -100,7 +100,7 @@ public final class MenuPanel {
         draw(canvas, menu.foot(), HudPalette.QUIET_INK);
     }
 
-    /** @param foot the text below the entries, see {@link Foot} */
+    /** @param foot the text below the entries, see {@link #foot} */
     void draw(OverlayCanvas canvas, String foot, DisplayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
@@ -137,10 +137,11 @@ public final class MenuPanel {
         canvas.rectangle(x, y + scale * GAP / 2, scale * (WIDTH - 2 * PADDING - GAP), 1, HudPalette.SELECTED);
         double em = HELP_EM;
         List<String> lines =
-                TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+                TextLines.broken(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
         if (lines.size() > HELP_LINES) {
             em = HELP_EM * HELP_LINES / (HELP_LINES + 0.5);
-            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+            lines = TextLines.broken(
+                    canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
         }
         double line = (HELP_HEIGHT - GAP) / Math.max(HELP_LINES, lines.size());
         double baseline = y + scale * (GAP + em);
@@ -151,33 +152,36 @@ public final class MenuPanel {
     }
 
     /**
-     * The lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's lower
-     * edge; the end of one that is too long even for the smallest letters is cut.
+     * Returns the lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's
+     * lower edge; the end of one that is too long even for the smallest letters is cut.
      */
-    record Foot(List<String> lines, double em, double firstBaseline) {
-        static Foot of(OverlayCanvas canvas, String text) {
-            double width = WIDTH - 2 * PADDING;
-            List<String> lines = TextLines.of(canvas, FOOT_EM, width, text);
-            if (lines.size() <= FOOT_LINES) {
-                return new Foot(lines, FOOT_EM, FOOT_HEIGHT);
-            }
-            double em = FOOT_EM;
-            while (em > LEAST_FOOT_EM && lines.size() > mostLines(em)) {
-                em--;
-                lines = TextLines.of(canvas, em, width, text);
-            }
-            return new Foot(TextLines.first(canvas, em, width, lines, mostLines(em)), em, em);
+    static TextLines foot(OverlayCanvas canvas, String text) {
+        double width = WIDTH - 2 * PADDING;
+        List<String> lines = TextLines.broken(canvas, FOOT_EM, width, text);
+        if (lines.size() <= FOOT_LINES) {
+            return new TextLines(FOOT_EM, lines);
         }
+        double em = FOOT_EM;
+        while (em > LEAST_FOOT_EM && lines.size() > mostFootLines(em)) {
+            em--;
+            lines = TextLines.broken(canvas, em, width, text);
+        }
+        return new TextLines(em, TextLines.first(canvas, em, width, lines, mostFootLines(em)));
+    }
 
-        private static int mostLines(double em) {
-            return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
-        }
+    private static int mostFootLines(double em) {
+        return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
+    }
+
+    /** Returns the distance of a foot's first baseline from the entries. */
+    static double firstBaseline(TextLines foot) {
+        return foot.lines().size() <= FOOT_LINES ? FOOT_HEIGHT : foot.em();
     }
 
     private void drawFoot(OverlayCanvas canvas, double x, String text, DisplayColour ink) {
-        Foot foot = Foot.of(canvas, text);
+        TextLines foot = foot(canvas, text);
         double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
-        double baseline = rowsEnd + scale * foot.firstBaseline();
+        double baseline = rowsEnd + scale * firstBaseline(foot);
         for (String line : foot.lines()) {
             canvas.text(x, baseline, scale * foot.em(), ink, line);
             baseline += scale * foot.em() * FOOT_LINE_EMS;

@@ -55,7 +55,7 @@ final class MessageBar {
     }
 
     private List<String> broken(double at, String message) {
-        return TextLines.of(canvas, at * EM, width(at), message);
+        return TextLines.broken(canvas, at * EM, width(at), message);
     }
 
     /** Returns the greatest width of a line. */

@@ -4,14 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** Breaks text into lines of a width. */
-final class TextLines {
+/**
+ * Lines of text, broken to a width.
+ *
+ * @param em the size of their letters
+ */
+record TextLines(double em, List<String> lines) {
     private static final String CUT = " …";
 
-    private TextLines() {}
-
     /** Returns lines broken at spaces, and inside of words that are wider than a line (paths). */
-    static List<String> of(OverlayCanvas canvas, double em, double width, String text) {
+    static List<String> broken(OverlayCanvas canvas, double em, double width, String text) {
         List<String> lines = new ArrayList<>();
         double space = canvas.width(em, " ");
         String line = "";

@@ -37,10 +37,10 @@ record NewEntity(String section, Record entity) {
     private static final double CLOUD_BASE_METRES = 60;
 
     /** Makes the entity that the options name; empty if there is no such kind. */
-    static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
+    static Optional<NewEntity> of(Level level, ToolOptions options, PointedPlace at) {
         String section = options.section();
-        return kind(entities, options).map(kind -> {
-            String id = entities.freshId(level, section, wish(entities, options, kind));
+        return kind(options).map(kind -> {
+            String id = Entities.LEVEL.freshId(level, section, wish(options, kind));
             double off = standoffMetres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
                     made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
@@ -48,10 +48,12 @@ record NewEntity(String section, Record entity) {
         });
     }
 
-    private static Optional<RecordKind> kind(Entities entities, ToolOptions options) {
-        List<RecordKind> kinds = entities.list(options.section())
+    private static Optional<RecordKind> kind(ToolOptions options) {
+        List<RecordKind> kinds = Entities.LEVEL
+                .list(options.section())
                 .map(EntitySection::kinds)
-                .or(() -> entities.single(options.section())
+                .or(() -> Entities.LEVEL
+                        .single(options.section())
                         .filter(SingleSection::isOptional)
                         .map(SingleSection::kinds))
                 .orElse(List.of());
@@ -63,8 +65,9 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns the kind's name if the section has several, else the section's in the singular. */
-    private static String wish(Entities entities, ToolOptions options, RecordKind kind) {
-        return entities.list(options.section())
+    private static String wish(ToolOptions options, RecordKind kind) {
+        return Entities.LEVEL
+                .list(options.section())
                 .filter(list -> list.kinds().size() == 1)
                 .map(list -> list.title().replaceFirst("s$", ""))
                 .orElse(kind.name());
@@ -117,11 +120,11 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns the snapshot with the entity in the level and selected. */
-    Snapshot addedTo(Snapshot before, Entities entities) {
+    Snapshot addedTo(Snapshot before) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level added = AddedRecord.completed(before.level(), (Level) entities.added(base, section, entity));
+        Level added = AddedRecord.completed(before.level(), Entities.LEVEL.added(base, section, entity));
         Level level = AddedRecord.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
     }

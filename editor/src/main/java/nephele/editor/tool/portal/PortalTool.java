@@ -135,8 +135,7 @@ public final class PortalTool implements Tool {
                 .filter(entity -> entity.section().equals(SECTION))
                 .filter(context.document().selection()::contains)
                 .findFirst()
-                .flatMap(entity ->
-                        context.document().entities().find(context.document().level(), entity))
+                .flatMap(entity -> Entities.LEVEL.find(context.document().level(), entity))
                 .map(PortalSpec.class::cast);
     }
 
@@ -151,9 +150,8 @@ public final class PortalTool implements Tool {
         context.status(aimWords());
         if (aim instanceof PlacementResult.Fits fits) {
             PortalSpec there = spec(fits.portal(), moving.id(), moving.linkedTo());
-            Entities entities = context.document().entities();
             context.document()
-                    .drag(before -> before.with((Level) entities.changed(
+                    .drag(before -> before.with(Entities.LEVEL.changed(
                             before.level(), List.of(new EntityRef(SECTION, moving.id())), portal -> there)));
         }
     }
@@ -190,12 +188,11 @@ public final class PortalTool implements Tool {
     }
 
     private Snapshot paired(Snapshot before, Portal one, Portal two) {
-        Entities entities = context.document().entities();
-        String oneId = entities.freshId(before.level(), SECTION, "portal-1");
-        String twoId = entities.freshId(before.level(), SECTION, "portal-2", Set.of(oneId));
-        Level with = (Level) entities.added(before.level(), SECTION, spec(one, oneId, twoId));
+        String oneId = Entities.LEVEL.freshId(before.level(), SECTION, "portal-1");
+        String twoId = Entities.LEVEL.freshId(before.level(), SECTION, "portal-2", Set.of(oneId));
+        Level with = Entities.LEVEL.added(before.level(), SECTION, spec(one, oneId, twoId));
         return new Snapshot(
-                (Level) entities.added(with, SECTION, spec(two, twoId, oneId)),
+                Entities.LEVEL.added(with, SECTION, spec(two, twoId, oneId)),
                 Selection.of(List.of(new EntityRef(SECTION, oneId), new EntityRef(SECTION, twoId))));
     }
 

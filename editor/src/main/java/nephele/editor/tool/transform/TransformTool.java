@@ -10,6 +10,7 @@ import nephele.editor.document.EntityTransform;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -21,7 +22,6 @@ import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.WorldAxis;
 import nephele.editor.tool.select.SelectTool;
 import nephele.editor.tool.transform.Gizmo.Grip;
-import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -134,13 +134,10 @@ public final class TransformTool implements Tool {
             return;
         }
         change(pointer).ifPresent(change -> context.document()
-                .drag(before -> before.with((Level) context.document()
-                        .entities()
-                        .changed(
-                                before.level(),
-                                NoteEdits.unlocked(
-                                        before.level(), before.selection().entities()),
-                                change))));
+                .drag(before -> before.with(Entities.LEVEL.changed(
+                        before.level(),
+                        NoteEdits.unlocked(before.level(), before.selection().entities()),
+                        change))));
     }
 
     @Override

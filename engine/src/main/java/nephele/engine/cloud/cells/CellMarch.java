@@ -44,7 +44,6 @@ public final class CellMarch {
     private double sunlight;
     private double above;
     private double below;
-    private double lightAt;
     private double covered;
     private int fetches;
     private double lastDiffuse;
@@ -114,7 +113,6 @@ public final class CellMarch {
         above = 0;
         below = 0;
         covered = 0;
-        lightAt = 0;
         fetches = 0;
         StackSpan inside = span(ray);
         double start = Math.max(fromMetres, inside.fromMetres());
@@ -168,7 +166,6 @@ public final class CellMarch {
         below += even * light[4];
         eyeDepth += depth;
         covered += transmittance * taken;
-        lightAt += transmittance * taken * middle;
         transmittance *= 1 - taken;
         scaledTransmittance *= 1 - scaledTaken;
     }
@@ -241,7 +238,6 @@ public final class CellMarch {
             below /= covered;
             transmittance = 0;
         }
-        lightAt = covered > 0 ? lightAt / covered : 0;
         sunlight = Math.max(0, sunlight);
     }
 
@@ -277,11 +273,6 @@ public final class CellMarch {
                 .scaled(sunlight)
                 .addScaled(above, outside.above())
                 .addScaled(below, outside.below());
-    }
-
-    /** Returns the distance of the cloud's visible part, metres. */
-    public double metres() {
-        return lightAt;
     }
 
     /** Returns how many densities were looked up. */

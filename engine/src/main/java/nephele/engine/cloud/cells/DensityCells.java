@@ -172,11 +172,6 @@ public final class DensityCells {
         return cells;
     }
 
-    /** Returns true if there is no extinction anywhere. */
-    public boolean isEmpty() {
-        return greatestPerMetre == 0;
-    }
-
     /** Returns the extinction that density 1 stands for. */
     public double greatestPerMetre() {
         return greatestPerMetre;

@@ -30,7 +30,7 @@ public record CloudPuffs(List<Puff> all) {
         private static final double FAINTEST = 1e-4;
         private static final double MOST_DEVIATIONS = 5;
 
-        /** Returns the distance from the centre at which it ends, 0 if nothing of it is seen; twin of {@code puffRadius}. */
+        /** Returns the distance from the centre at which it ends, 0 if nothing of it is visible; twin of {@code puffRadius}. */
         public double radiusMetres() {
             double depth = perMetre * deviationMetres * Math.sqrt(2 * Math.PI);
             return depth > FAINTEST

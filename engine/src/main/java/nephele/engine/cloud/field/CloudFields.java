@@ -53,15 +53,6 @@ public final class CloudFields {
     }
 
     /**
-     * Returns the field of a cloud over flat ground at time 0.
-     *
-     * @throws AssetException if a picture or grid of the cloud is unusable
-     */
-    public static ExtinctionField of(Cloud cloud, AssetSource assets) throws AssetException {
-        return of(cloud, assets, 0);
-    }
-
-    /**
      * Returns the field of a cloud over flat ground.
      *
      * @param seconds simulated time

@@ -126,7 +126,7 @@ public final class LoadedClouds {
     /** Returns the fraction of a cloud's extinction that its weather gives it at a time, 0 to 1. */
     public double presence(int index, double seconds) {
         Weather weather = weathers.get(index);
-        return weather == null ? 1 : course.share(weather, seconds);
+        return weather == null ? 1 : course.weight(weather, seconds);
     }
 
     /** Returns the weather over time. */

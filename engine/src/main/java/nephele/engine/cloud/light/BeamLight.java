@@ -11,8 +11,6 @@ public record BeamLight(CloudOptics optics, double fading) {
     /** Solid angle γ in which forward scattering counts as part of the beam (Harris and Lastra 2001; 0.09 in their program). */
     static final double CONE_STERADIANS = Math.PI / 32;
 
-    private static final double SERIES_BELOW = 1e-2;
-
     /** Returns light that is scattered once only: the beam loses all that is scattered. */
     public static BeamLight once(CloudOptics optics) {
         return new BeamLight(optics, 1);
@@ -40,13 +38,5 @@ public record BeamLight(CloudOptics optics, double fading) {
     /** Returns the light that one optical depth scatters towards the eye, per unit irradiance of the sun and steradian. */
     public double perDepth(double separation, double sunDepth) {
         return optics.albedo() * optics.perSteradian(separation) * irradiance(sunDepth);
-    }
-
-    /** Returns the mean of e<sup>−t</sup> for t between two numbers of at least 0, in either order. */
-    public static double meanBetween(double from, double to) {
-        double change = to - from;
-        return Math.abs(change) < SERIES_BELOW
-                ? Math.exp(-(from + to) / 2) * (1 + change * change / 24)
-                : (Math.exp(-from) - Math.exp(-to)) / change;
     }
 }

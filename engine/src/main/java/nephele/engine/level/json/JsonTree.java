@@ -22,7 +22,7 @@ public final class JsonTree {
     private static final int MAX_DEPTH = 32;
     private static final int MAX_VALUES = 1_000_000;
     private static final int MAX_SHARED_NAMES = 1_000;
-    private static final int MOST_SHOWN = 60;
+    private static final int MOST_PRINTED = 60;
 
     /** Bound below which every whole number is a double. */
     private static final double EXACT_INTEGERS = 1L << 53;
@@ -202,8 +202,8 @@ public final class JsonTree {
 
     /** Returns a key in the form used in paths. */
     static String printable(String name) {
-        String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
-        return MessageText.printable(shown);
+        String start = name.length() <= MOST_PRINTED ? name : name.substring(0, MOST_PRINTED) + "…";
+        return MessageText.printable(start);
     }
 
     public static String shortened(String text) {

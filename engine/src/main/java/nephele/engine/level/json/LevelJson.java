@@ -34,7 +34,7 @@ public final class LevelJson {
                 requireNoEntities(members, problems);
                 level = (Level) LEVEL.read(members, problems);
                 if (level == null) {
-                    new WrittenMaterials(members, problems).tellUnknown();
+                    new WrittenMaterials(members, problems).reportUnknown();
                 }
             }
         } else {

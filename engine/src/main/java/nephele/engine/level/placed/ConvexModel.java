@@ -33,7 +33,7 @@ final class ConvexModel {
     /**
      * Returns the solid; {@code null} for a mesh that is hollow, open, flat or has more faces than a solid may have.
      */
-    static Brush solid(ModelPlacement said, WorldTriangles mesh) {
+    static Brush solid(ModelPlacement authored, WorldTriangles mesh) {
         var box = mesh.bounds();
         double extent = Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
         ConvexModel model = new ConvexModel(mesh, extent);
@@ -51,15 +51,15 @@ final class ConvexModel {
                     name,
                     face.plane(),
                     face.polygon(),
-                    said.material(),
-                    said.portalable(),
+                    authored.material(),
+                    authored.portalable(),
                     TextureMapping.WORLD,
                     null));
         }
         Set<Vec3> used = new HashSet<>();
         faces.forEach(face -> used.addAll(face.polygon()));
         List<Vec3> vertices = model.corners.stream().filter(used::contains).toList();
-        return new Brush(said.id(), new ConvexPolyhedron(faces, vertices, box), List.copyOf(named));
+        return new Brush(authored.id(), new ConvexPolyhedron(faces, vertices, box), List.copyOf(named));
     }
 
     /**

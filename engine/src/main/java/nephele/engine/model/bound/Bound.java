@@ -2,7 +2,10 @@ package nephele.engine.model.bound;
 
 import nephele.engine.math.Vec3;
 
-/** A bounding volume by which models are tested for contact, from the simplest to the surface itself. */
+/**
+ * A bounding volume by which models are tested for contact, from the simplest to the surface itself; its word in a level
+ * file is the name in lower case.
+ */
 public enum Bound {
     SPHERE {
         @Override
@@ -17,7 +20,7 @@ public enum Bound {
         }
     },
     /** The box along the world's axes around the turned box of the model. */
-    AXIS_ALIGNED_BOX {
+    BOX {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
             return box(model, at).upright().nearest(centre) <= radius;
@@ -31,7 +34,7 @@ public enum Bound {
     ORIENTED_BOX {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            return model.tree().box().nearest(at.seen(centre)) <= radius;
+            return model.tree().box().nearest(at.local(centre)) <= radius;
         }
 
         @Override
@@ -40,28 +43,28 @@ public enum Bound {
         }
     },
     /** Oriented boxes in a tree, down to that of each triangle. */
-    HIERARCHY {
+    TREE {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            return model.tree().touches(at.seen(centre), radius, triangle -> true);
+            return model.tree().touches(at.local(centre), radius, triangle -> true);
         }
 
         @Override
         public boolean touch(BoundedModel a, Pose atA, BoundedModel b, Pose atB) {
-            return a.tree().touches(b.tree(), atB.seenFrom(atA), (own, other) -> true);
+            return a.tree().touches(b.tree(), atB.relativeTo(atA), (own, other) -> true);
         }
     },
     /** The triangles themselves, found through the hierarchy. */
     TRIANGLES {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            Vec3 here = at.seen(centre);
+            Vec3 here = at.local(centre);
             return model.tree().touches(here, radius, triangle -> distance(triangle, here) <= radius);
         }
 
         @Override
         public boolean touch(BoundedModel a, Pose atA, BoundedModel b, Pose atB) {
-            return a.tree().touches(b.tree(), atB.seenFrom(atA), Bound::haveCommonPoint);
+            return a.tree().touches(b.tree(), atB.relativeTo(atA), Bound::haveCommonPoint);
         }
     };
 
@@ -99,8 +102,8 @@ public enum Bound {
     /** @param from the point, from where the edge starts */
     private static double toEdge(Vec3 edge, Vec3 from) {
         double square = edge.dot(edge);
-        double share = square > 0 ? Math.max(0, Math.min(1, from.dot(edge) / square)) : 0;
-        return from.addScaled(-share, edge).length();
+        double fraction = square > 0 ? Math.max(0, Math.min(1, from.dot(edge) / square)) : 0;
+        return from.addScaled(-fraction, edge).length();
     }
 
     /**

@@ -28,7 +28,7 @@ final class GltfAccessors {
     private static final Set<Integer> WHOLE =
             Set.of(GltfAccessor.UNSIGNED_BYTE, GltfAccessor.UNSIGNED_SHORT, GltfAccessor.UNSIGNED_INT);
     private static final Set<Integer> FLOATS = Set.of(GltfAccessor.FLOAT);
-    private static final Set<Integer> SHARES =
+    private static final Set<Integer> FRACTIONS =
             Set.of(GltfAccessor.FLOAT, GltfAccessor.UNSIGNED_BYTE, GltfAccessor.UNSIGNED_SHORT);
     private static final Set<Integer> QUANTIZED = Set.of(
             GltfAccessor.FLOAT,
@@ -43,7 +43,7 @@ final class GltfAccessors {
     enum Use {
         POSITION("VEC3", 3, FLOATS, QUANTIZED),
         NORMAL("VEC3", 3, FLOATS, Set.of(GltfAccessor.FLOAT, GltfAccessor.BYTE, GltfAccessor.SHORT)),
-        TEXCOORD_0("VEC2", 2, SHARES, QUANTIZED),
+        TEXCOORD_0("VEC2", 2, FRACTIONS, QUANTIZED),
         INDICES("SCALAR", 1, WHOLE, WHOLE);
 
         private final String type;
@@ -82,54 +82,58 @@ final class GltfAccessors {
     /** Returns the accessor of an index in the JSON. */
     GltfAccessor use(GltfValue index, Use use) {
         GltfValue all = root.member("accessors");
-        GltfValue said = all.at(index.index(all.size(), "accessors"));
-        Format format = format(said, index, use);
-        int count = said.member("count").count();
+        GltfValue authored = all.at(index.index(all.size(), "accessors"));
+        Format format = format(authored, index, use);
+        int count = authored.member("count").count();
         if (count < 1 || count > 3 * MeshLimits.MAX_GLTF_VERTICES) {
-            throw said.member("count").error("is " + count, "keep within 1 to " + 3 * MeshLimits.MAX_GLTF_VERTICES);
+            throw authored.member("count").error("is " + count, "keep within 1 to " + 3 * MeshLimits.MAX_GLTF_VERTICES);
         }
         int bytes = use.width * format.bytes();
-        Elements dense = said.member("bufferView").exists() ? elements(said, format, count, bytes) : null;
-        GltfValue sparse = said.member("sparse");
+        Elements dense = authored.member("bufferView").exists() ? elements(authored, format, count, bytes) : null;
+        GltfValue sparse = authored.member("sparse");
         return new GltfAccessor(
-                said, count, use.width, dense, sparse.exists() ? sparse(sparse, format, count, bytes) : null);
+                authored, count, use.width, dense, sparse.exists() ? sparse(sparse, format, count, bytes) : null);
     }
 
-    private Format format(GltfValue said, GltfValue index, Use use) {
-        int component = said.member("componentType").count();
+    private Format format(GltfValue authored, GltfValue index, Use use) {
+        int component = authored.member("componentType").count();
         Set<Integer> permitted = isQuantized ? use.quantized : use.plain;
-        if (!said.member("type").text("").equals(use.type) || !permitted.contains(component)) {
-            throw said.error("has not the type that " + index.path() + " needs");
+        if (!authored.member("type").text("").equals(use.type) || !permitted.contains(component)) {
+            throw authored.error("has not the type that " + index.path() + " needs");
         }
-        boolean isNormalized = use != Use.INDICES && said.member("normalized").flag();
+        boolean isNormalized =
+                use != Use.INDICES && authored.member("normalized").flag();
         if (use == Use.TEXCOORD_0 && component != GltfAccessor.FLOAT && !isNormalized && !isQuantized) {
-            throw said.member("normalized").error("has to be true for texture coordinates in whole numbers");
+            throw authored.member("normalized").error("has to be true for texture coordinates in whole numbers");
         }
         return new Format(component, isNormalized);
     }
 
-    private Sparse sparse(GltfValue said, Format format, int count, int bytes) {
-        GltfValue indices = said.member("indices");
-        GltfValue values = said.member("values");
-        if (!said.member("count").exists() || !indices.exists() || !values.exists()) {
-            throw said.error("lacks its count, indices or values");
+    private Sparse sparse(GltfValue authored, Format format, int count, int bytes) {
+        GltfValue indices = authored.member("indices");
+        GltfValue values = authored.member("values");
+        if (!authored.member("count").exists() || !indices.exists() || !values.exists()) {
+            throw authored.error("lacks its count, indices or values");
         }
-        int number = said.member("count").count();
+        int number = authored.member("count").count();
         if (number < 1 || number > count) {
-            throw said.member("count").error("is " + number + " of " + count + " elements");
+            throw authored.member("count").error("is " + number + " of " + count + " elements");
         }
         var whole = new Format(indices.member("componentType").count(), false);
         if (!WHOLE.contains(whole.component())) {
             throw indices.member("componentType").error("is no type of indices");
         }
         return new Sparse(
-                said, number, elements(indices, whole, number, whole.bytes()), elements(values, format, number, bytes));
+                authored,
+                number,
+                elements(indices, whole, number, whole.bytes()),
+                elements(values, format, number, bytes));
     }
 
-    /** Returns the elements that {@code said} describes by {@code bufferView} and {@code byteOffset}. */
-    private Elements elements(GltfValue said, Format format, int count, int bytes) {
+    /** Returns the elements that {@code authored} describes by {@code bufferView} and {@code byteOffset}. */
+    private Elements elements(GltfValue authored, Format format, int count, int bytes) {
         GltfValue allViews = root.member("bufferViews");
-        GltfValue view = allViews.at(said.member("bufferView").index(allViews.size(), "buffer views"));
+        GltfValue view = allViews.at(authored.member("bufferView").index(allViews.size(), "buffer views"));
         int buffer = view.member("buffer").index(buffers.size(), "buffers");
         int start = view.member("byteOffset").count(0);
         int length = view.member("byteLength").count();
@@ -137,26 +141,26 @@ final class GltfAccessors {
         if ((long) start + length > available) {
             throw view.error("ends at byte " + ((long) start + length) + " of a buffer of " + available);
         }
-        int stride = stride(said, view, bytes);
-        int offset = said.member("byteOffset").count(0);
+        int stride = stride(authored, view, bytes);
+        int offset = authored.member("byteOffset").count(0);
         long end = offset + (long) stride * (count - 1) + bytes;
         if (end > length) {
-            throw said.error("ends at byte " + end + " of a buffer view of " + length);
+            throw authored.error("ends at byte " + end + " of a buffer view of " + length);
         }
         if (stride % format.bytes() != 0 || (start + offset) % format.bytes() != 0) {
-            throw said.error("does not begin or step at a multiple of its components' size");
+            throw authored.error("does not begin or step at a multiple of its components' size");
         }
         return new Elements(buffers.get(buffer), start + offset, stride, format);
     }
 
-    private static int stride(GltfValue said, GltfValue view, int bytes) {
+    private static int stride(GltfValue authored, GltfValue view, int bytes) {
         GltfValue given = view.member("byteStride");
         int stride = given.count(bytes);
         if (given.exists() && stride > MOST_STRIDE_BYTES) {
             throw given.error("is more than " + MOST_STRIDE_BYTES);
         }
         if (stride < bytes) {
-            throw said.error("steps by " + stride + " bytes over elements of " + bytes);
+            throw authored.error("steps by " + stride + " bytes over elements of " + bytes);
         }
         return stride;
     }

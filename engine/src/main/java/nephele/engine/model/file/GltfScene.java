@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.engine.asset.MessageText;
 import nephele.engine.math.Normals;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.model.NumberFormatting;
 import nephele.engine.model.file.GltfPrimitive.TextureMap;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
@@ -238,7 +238,7 @@ final class GltfScene {
 
     private void addCoordinate(FloatList list, double value) {
         if (!(Math.abs(value) <= MeshLimits.MAX_COORDINATE_UNITS)) {
-            throw wrong(NumberFormatting.of(value) + " in a buffer is no coordinate", "keep within a million units");
+            throw wrong(MessageText.number(value) + " in a buffer is no coordinate", "keep within a million units");
         }
         list.add(value + 0.0);
     }

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
+import nephele.engine.asset.MessageText;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
-import nephele.engine.model.NumberFormatting;
 
 /**
  * Reads the text of a {@code .3d} file: points, then normals, texture coordinates and triangles, each of these
@@ -154,7 +154,7 @@ final class TextMeshFile {
             if (!(index >= 0 && index < points.rows() && index == Math.rint(index))) {
                 throw text.wrongAt(
                         triangles.line(i / width),
-                        NumberFormatting.of(index) + " names no point",
+                        MessageText.number(index) + " names no point",
                         points.rows() == 0
                                 ? "there are no points: write them first"
                                 : "use whole numbers from 0 to " + (points.rows() - 1));
@@ -221,7 +221,7 @@ final class TextMeshFile {
         if (!(value >= 0 && value <= MOST_SINGLE_ROWS && value == Math.rint(value))) {
             throw text.wrongAt(
                     line,
-                    NumberFormatting.of(value) + " is no number of rows",
+                    MessageText.number(value) + " is no number of rows",
                     "write how many rows follow, or leave it out");
         }
         return (int) value;

@@ -66,13 +66,13 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
                 Vector3d normal = normals.unit(cross, column, row, tessellation);
                 mesh.point(point.x, point.y, point.z)
                         .normal(normal.x, normal.y, normal.z)
-                        .texture(share(tessellation - column), share(tessellation - row));
+                        .texture(fraction(tessellation - column), fraction(tessellation - row));
             }
         }
         mesh.grid(first, tessellation, tessellation);
     }
 
-    private double share(int parts) {
+    private double fraction(int parts) {
         return (double) parts / tessellation;
     }
 

@@ -31,11 +31,11 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
     }
 
     private void ring(MeshBuilder mesh, Circle circle, int stack) {
-        double share = (double) (stacks - stack) / stacks;
+        double fraction = (double) (stacks - stack) / stacks;
         for (int i = 0; i <= slices; i++) {
             double sine = circle.sine()[i];
             double cosine = circle.cosine()[i];
-            mesh.point(radius * share * sine, height * stack / stacks, radius * share * cosine);
+            mesh.point(radius * fraction * sine, height * stack / stacks, radius * fraction * cosine);
             sideNormal(mesh, sine, cosine).texture((double) i / slices, (double) stack / stacks);
         }
     }

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.billboard.PlantedModels;
+import nephele.engine.level.billboard.PlantedModels.Plant;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.level.planted.PlantedModels;
-import nephele.engine.level.planted.PlantedModels.Plant;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Pcg3d;
 import nephele.engine.math.Vec3;
@@ -185,7 +185,7 @@ public final class PlantedScene implements GlObject {
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */
     private static StaticShapes surroundings(StaticShapes statics) {
         List<PlacedModel> others = statics.models().all().stream()
-                .filter(model -> !model.said().impostor())
+                .filter(model -> !model.authored().impostor())
                 .toList();
         return statics.with(new PlacedModels(others));
     }
@@ -233,7 +233,7 @@ public final class PlantedScene implements GlObject {
         plant.foot().minus(anchor).put(values, PLANT_FLOATS * at, plant.kind());
         values[PLANT_FLOATS * at + 4] = (float) scale;
         values[PLANT_FLOATS * at + 5] = (float) plant.turn();
-        values[PLANT_FLOATS * at + 6] = sky.seenFrom(middle);
+        values[PLANT_FLOATS * at + 6] = sky.visibleFrom(middle);
         values[PLANT_FLOATS * at + 7] = (float) rank;
         Vec3 fromAnchor = middle.minus(anchor);
         middles[3 * at] = (float) fromAnchor.x();

@@ -178,12 +178,12 @@ public final class TerrainMesh implements GlObject {
     }
 
     /** Draws the chunks that a frustum may contain, at full detail, with the current program and its uniforms. */
-    public void draw(Frustum seen, TerrainUniforms uniforms) {
-        int mask = seen.allPlanes();
+    public void draw(Frustum frustum, TerrainUniforms uniforms) {
+        int mask = frustum.allPlanes();
         for (int row = 0; row < field.blockRows(level); row++) {
             for (int column = 0; column < field.blockColumns(level); column++) {
                 field.writeBlock(level, column, row, bounds);
-                if (seen.classify(bounds, 0, mask) != Frustum.OUTSIDE) {
+                if (frustum.classify(bounds, 0, mask) != Frustum.OUTSIDE) {
                     uniforms.chunk(field, column * CHUNK_CELLS, row * CHUNK_CELLS);
                     chunk.draw(0, chunkIndices);
                 }

@@ -71,7 +71,7 @@ public final class TerrainTiles implements GlObject {
     }
 
     /** Returns the eye of a view. */
-    public static DetailView seenFrom(View view) {
+    public static DetailView detailView(View view) {
         Projection projection = view.projection();
         return DetailView.of(
                 view.eye(),
@@ -99,8 +99,8 @@ public final class TerrainTiles implements GlObject {
      *
      * @param scale as {@link #scale} returns
      */
-    public void select(DetailView view, double scale, Frustum seen) {
-        tiles.select(ranges(scale), view, seen);
+    public void select(DetailView view, double scale, Frustum frustum) {
+        tiles.select(ranges(scale), view, frustum);
     }
 
     private boolean isGentle(int tile) {

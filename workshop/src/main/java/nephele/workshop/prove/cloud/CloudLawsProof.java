@@ -20,9 +20,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.measure.RandomMean;
 import nephele.engine.reference.volume.CloudMedia;
 import nephele.engine.reference.volume.Deflection;
-import nephele.engine.reference.volume.DeltaTracking;
+import nephele.engine.reference.volume.MajorantTracking;
 import nephele.engine.reference.volume.OutsideLight;
-import nephele.engine.reference.volume.RatioTracking;
 import nephele.engine.reference.volume.VolumeTracer;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Proof;
@@ -111,7 +110,7 @@ public final class CloudLawsProof implements Proof {
                         (paths, seed) -> RandomMean.of(
                                 paths,
                                 seed,
-                                random -> DeltaTracking.collision(slab, down(mu), 0, INFINITE, random) == INFINITE
+                                random -> MajorantTracking.collision(slab, down(mu), 0, INFINITE, random) == INFINITE
                                         ? 1
                                         : 0));
                 add(
@@ -121,7 +120,7 @@ public final class CloudLawsProof implements Proof {
                         (paths, seed) -> RandomMean.of(
                                 paths,
                                 seed,
-                                random -> RatioTracking.transmittance(slab, down(mu), 0, INFINITE, random)));
+                                random -> MajorantTracking.transmittance(slab, down(mu), 0, INFINITE, random)));
             }
         }
     }
@@ -140,7 +139,7 @@ public final class CloudLawsProof implements Proof {
                     (paths, seed) -> RandomMean.of(
                             paths,
                             seed,
-                            random -> RatioTracking.transmittance(
+                            random -> MajorantTracking.transmittance(
                                     puff, beside(new Vec3(3, 4, 5), off * deviation, random), 0, INFINITE, random)));
         }
     }
@@ -215,10 +214,11 @@ public final class CloudLawsProof implements Proof {
         Ray ray = Ray.of(new Vec3(0, mu > 0 ? bounds.maxY() : bounds.minY(), 0), fromEye(mu));
         double scattered = phase.perSteradian(Deflection.separation(fromEye(mu), sun(mu0)));
         return RandomMean.of(paths, seed, random -> {
-            double at = DeltaTracking.collision(slab, ray, 0, INFINITE, random);
+            double at = MajorantTracking.collision(slab, ray, 0, INFINITE, random);
             return at == INFINITE
                     ? 0
-                    : scattered * RatioTracking.transmittance(slab, Ray.of(ray.at(at), sun(mu0)), 0, INFINITE, random);
+                    : scattered
+                            * MajorantTracking.transmittance(slab, Ray.of(ray.at(at), sun(mu0)), 0, INFINITE, random);
         });
     }
 

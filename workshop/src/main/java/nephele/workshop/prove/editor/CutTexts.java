@@ -22,6 +22,7 @@ import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.ListCellRenderer;
 import javax.swing.ScrollPaneConstants;
+import nephele.editor.record.Entities;
 import nephele.editor.session.EditorSession;
 
 /**
@@ -48,7 +49,7 @@ public final class CutTexts {
     /** Returns the same where the ids of the level that a session has open are the user's, too. */
     public static List<String> in(Container container, EditorSession session) {
         Set<String> ids = new HashSet<>();
-        session.document().entities().all(session.document().level()).forEach(ref -> ids.add(ref.id()));
+        Entities.LEVEL.all(session.document().level()).forEach(ref -> ids.add(ref.id()));
         ids.remove("");
         return in(container, ids);
     }

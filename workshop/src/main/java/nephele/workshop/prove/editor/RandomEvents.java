@@ -20,6 +20,7 @@ import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
 import nephele.editor.proving.TracedCorner;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
@@ -216,9 +217,7 @@ final class RandomEvents {
         if (all.isEmpty() || places.isEmpty() || random.nextInt(3) == 0) {
             return;
         }
-        Aabb box = session()
-                .document()
-                .entities()
+        Aabb box = Entities.LEVEL
                 .find(session().document().level(), all.get(random.nextInt(all.size())))
                 .map(EntityBounds::of)
                 .orElse(Aabb.EMPTY);
@@ -232,7 +231,7 @@ final class RandomEvents {
         boolean takesSelected = !selected.isEmpty() && random.nextBoolean();
         return takesSelected
                 ? selected
-                : session().document().entities().all(session().document().level());
+                : Entities.LEVEL.all(session().document().level());
     }
 
     private void near(PaneRectangle place, Aabb box) {

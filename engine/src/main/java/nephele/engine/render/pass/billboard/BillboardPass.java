@@ -30,7 +30,7 @@ import nephele.engine.render.gl.shader.Uniforms.Whole;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
-import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.BillboardQuads.Kind;
 import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
@@ -139,13 +139,13 @@ public final class BillboardPass implements Pass {
 
     @Override
     public boolean needsCopies(FrameContext frame) {
-        quads.findSeen(frame.seen(), visible);
+        quads.findVisible(frame.frustum(), visible);
         return kind == Kind.BLENDED && !visible.isEmpty();
     }
 
     @Override
     public void draw(FrameContext frame) {
-        quads.findSeen(frame.seen(), visible);
+        quads.findVisible(frame.frustum(), visible);
         if (visible.isEmpty()) {
             return;
         }

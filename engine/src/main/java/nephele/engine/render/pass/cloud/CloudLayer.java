@@ -20,7 +20,7 @@ import nephele.engine.scene.View;
 
 /**
  * The target of low resolution into which clouds are marched. The rays of one view can be divided among frames: a frame
- * marches one of each square of rays, and the others show what was seen in their direction before, at most as many
+ * marches one of each square of rays, and the others keep what was found in their direction before, at most as many
  * frames ago as a square has rays. The first frame after a cut marches all, as after a jump in time. Views that all march
  * all rays may share a layer in turn.
  */
@@ -44,7 +44,7 @@ final class CloudLayer implements GlObject {
     private final int divisor;
     private final int side;
     private final DrawState.Limits limits = new DrawState.Limits();
-    private RenderTarget shown;
+    private RenderTarget layer;
     /** The layer of the frame before, then that of the next; {@code null} without history, as are the following. */
     private RenderTarget other;
 
@@ -103,7 +103,7 @@ final class CloudLayer implements GlObject {
      * @param now simulated seconds
      */
     void begin(RenderTarget surface, int cutsSoFar, double now) {
-        if (shown == null || width != surface.width() || height != surface.height()) {
+        if (layer == null || width != surface.width() || height != surface.height()) {
             resize(surface);
         }
         if (cuts != cutsSoFar || !(Math.abs(now - seconds) <= JUMP_SECONDS)) {
@@ -114,20 +114,20 @@ final class CloudLayer implements GlObject {
         seconds = now;
         frame = before == null ? 0 : frame + 1;
         gl.state().beginLayer(divisor * marchedSide(), limits);
-        (before == null ? shown : fresh).clearTransparentWithinScissor();
+        (before == null ? layer : fresh).clearTransparentWithinScissor();
     }
 
     private void resize(RenderTarget surface) {
         close();
         width = surface.width();
         height = surface.height();
-        shown = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
+        layer = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
         joined = RenderTarget.picture(
-                gl, "joined clouds", PixelFormat.RGBA16F, shown.width() + 1, shown.height() + 1, Sampling.LINEAR_CLAMP);
+                gl, "joined clouds", PixelFormat.RGBA16F, layer.width() + 1, layer.height() + 1, Sampling.LINEAR_CLAMP);
         if (side > 1) {
             other = surface.reduced("clouds before", PixelFormat.RGBA16F, divisor);
-            int across = (shown.width() + side - 1) / side;
-            int up = (shown.height() + side - 1) / side;
+            int across = (layer.width() + side - 1) / side;
+            int up = (layer.height() + side - 1) / side;
             fresh = RenderTarget.pair(gl, "marched clouds", PixelFormat.RGBA16F, across, up, Sampling.NEAREST_CLAMP);
         }
     }
@@ -175,8 +175,8 @@ final class CloudLayer implements GlObject {
             spread = program("spread.frag", Defines.of(context), SpreadUniforms.class);
         }
         RenderTarget completed = other;
-        other = shown;
-        shown = completed;
+        other = layer;
+        layer = completed;
         completed.bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
         fresh.colour().bind(TextureUnit.SPREAD_FRESH);
@@ -215,7 +215,7 @@ final class CloudLayer implements GlObject {
         }
         joined.bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
-        shown.colour().bind(TextureUnit.COLOURS);
+        layer.colour().bind(TextureUnit.COLOURS);
         join.use();
         triangle.draw();
     }
@@ -254,10 +254,10 @@ final class CloudLayer implements GlObject {
 
     @Override
     public void close() {
-        if (shown != null) {
-            shown.close();
+        if (layer != null) {
+            layer.close();
             joined.close();
-            shown = null;
+            layer = null;
         }
         if (other != null) {
             other.close();

@@ -16,7 +16,7 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 
 /**
- * A cloud of balls as seen from an eye, a picture for each slab: premultiplied radiance without air, the fraction of light that
+ * A cloud of puffs as seen from an eye, a picture for each slab: premultiplied radiance without air, the fraction of light that
  * passes, coverage and distance. Balls can be added over several frames.
  */
 final class ImpostorPicture implements GlObject {
@@ -49,16 +49,16 @@ final class ImpostorPicture implements GlObject {
     }
 
     /** Begins the picture of a cloud, empty. */
-    void begin(PuffSlabs ofBalls, PlacedCloud placed, LitCloud cells) {
-        slabs = ofBalls;
+    void begin(PuffSlabs newSlabs, PlacedCloud placed, LitCloud cells) {
+        slabs = newSlabs;
         drawn = 0;
-        from = cells.shown();
-        to = cells.toCome();
+        from = cells.earlier();
+        to = cells.later();
         fraction = cells.fraction();
         seconds = placed.seconds();
         presence = placed.presence();
         around = cells.around();
-        quads.show(slabs.puffs(), slabs.eye(), presence);
+        quads.upload(slabs.puffs(), slabs.eye(), presence);
         int width = slabs.width();
         int height = slabs.height();
         if (!targets.isEmpty()
@@ -87,7 +87,7 @@ final class ImpostorPicture implements GlObject {
         return slabs != null && drawn == slabs.puffs().size();
     }
 
-    /** Returns the number of the slab whose balls are drawn next. */
+    /** Returns the number of the slab whose puffs are drawn next. */
     int nextSlab() {
         int slab = 0;
         while (drawn >= slabs.slabs().get(slab).end()) {
@@ -96,7 +96,7 @@ final class ImpostorPicture implements GlObject {
         return slab;
     }
 
-    /** Returns how many of the next balls, all of one slab, fit into so many texels. */
+    /** Returns how many of the next puffs, all of one slab, fit into so many texels. */
     int fitting(long texels) {
         int end = slabs.slabs().get(nextSlab()).end();
         int next = drawn;
@@ -107,18 +107,18 @@ final class ImpostorPicture implements GlObject {
         return next - drawn;
     }
 
-    /** Draws the next balls by the program in use into the bound target; returns the texels. */
+    /** Draws the next puffs by the program in use into the bound target; returns the texels. */
     long draw(int count) {
         quads.draw(drawn, count);
         long texels = 0;
-        for (int ball = drawn; ball < drawn + count; ball++) {
-            texels += slabs.texels(ball);
+        for (int puff = drawn; puff < drawn + count; puff++) {
+            texels += slabs.texels(puff);
         }
         drawn += count;
         return texels;
     }
 
-    /** Directs drawing to the picture of the next balls, which is emptied before its first one. */
+    /** Directs drawing to the picture of the next puffs, which is emptied before its first one. */
     void bindTarget() {
         int slab = nextSlab();
         if (drawn == slabs.slabs().get(slab).first()) {
@@ -150,7 +150,7 @@ final class ImpostorPicture implements GlObject {
     /**
      * Returns how much is wrong, 1 for as much as may be.
      *
-     * @param eye in the space of the balls
+     * @param eye in the space of the puffs
      * @param toleranceRadians direction by which a part of the cloud may be wrong
      */
     double wear(Vec3 eye, double toleranceRadians, PlacedCloud placed, LitCloud cells) {
@@ -161,14 +161,14 @@ final class ImpostorPicture implements GlObject {
     }
 
     /** Returns how much older a picture is after the change from one frame to the next. */
-    static double ageing(LitCloud cells, DrawnCloud shownBefore, double fractionBefore) {
-        return cells.shown() == shownBefore ? Math.abs(cells.fraction() - fractionBefore) / OLD_FRACTION : 0;
+    static double ageing(LitCloud cells, DrawnCloud earlierBefore, double fractionBefore) {
+        return cells.earlier() == earlierBefore ? Math.abs(cells.fraction() - fractionBefore) / OLD_FRACTION : 0;
     }
 
     private double age(PlacedCloud placed, LitCloud cells) {
-        if (cells.shown() == from) {
+        if (cells.earlier() == from) {
             return Math.abs(cells.fraction() - fraction) / OLD_FRACTION;
-        } else if (cells.shown() == to) {
+        } else if (cells.earlier() == to) {
             return (1 - fraction + cells.fraction()) / OLD_FRACTION;
         }
         return Math.abs(placed.seconds() - seconds) > JUMP_SECONDS ? Double.POSITIVE_INFINITY : REPLACED;

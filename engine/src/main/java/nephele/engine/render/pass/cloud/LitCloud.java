@@ -50,8 +50,8 @@ public final class LitCloud {
 
     private Environment followed;
     private OutsideOfCloud around;
-    private DrawnCloud shown;
-    private DrawnCloud toCome;
+    private DrawnCloud earlier;
+    private DrawnCloud later;
     private double fraction;
     private double groundFraction;
 
@@ -89,11 +89,11 @@ public final class LitCloud {
 
     /** Takes its cells and the light around it at the time of the frame. */
     public void follow(Environment environment, CloudInterval now) {
-        shown = now.from().clouds().get(placed.index());
-        toCome = now.to().clouds().get(placed.index());
+        earlier = now.from().clouds().get(placed.index());
+        later = now.to().clouds().get(placed.index());
         fraction = now.fraction();
         groundFraction = now.groundFraction();
-        upload(shown.cells(), toCome.cells());
+        upload(earlier.cells(), later.cells());
         follow(environment);
     }
 
@@ -167,13 +167,13 @@ public final class LitCloud {
     }
 
     /** Returns the cloud at the earlier of the two sampled times. */
-    public DrawnCloud shown() {
-        return shown;
+    public DrawnCloud earlier() {
+        return earlier;
     }
 
     /** Returns the cloud at the later one. */
-    public DrawnCloud toCome() {
-        return toCome;
+    public DrawnCloud later() {
+        return later;
     }
 
     /** Returns the fraction of the time between them that has passed, 0 to 1. */
@@ -196,7 +196,7 @@ public final class LitCloud {
         DeltaScaling scaled = physics.medium();
         uniforms.medium()
                 .set(
-                        placed.presence() * shown.cells().wholePerMetre(),
+                        placed.presence() * earlier.cells().wholePerMetre(),
                         scaled.depthFactor(),
                         physics.optics().albedo(),
                         scaled.albedo());
@@ -207,7 +207,7 @@ public final class LitCloud {
                         cloud.halfCurvature(),
                         physics.optics().meanCosine());
         uniforms.cloudSun().set(around.towardsSun());
-        uniforms.diffuseAxis().set(shown.cells().diffuseAxis(around.towardsSun()), physics.slopeOfBeam());
+        uniforms.diffuseAxis().set(earlier.cells().diffuseAxis(around.towardsSun()), physics.slopeOfBeam());
         uniforms.irradiance().set(around.irradiance());
         uniforms.skyAbove().set(around.above());
         uniforms.skyBelow().setScaled(around.below(), groundFraction);
@@ -218,15 +218,15 @@ public final class LitCloud {
         Plane exit = view.clip();
         Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
         Vec3 place = begin.minus(placed.drift());
-        double before = shown.cells().leastDepth(place);
-        double after = fraction == 0 ? before : toCome.cells().leastDepth(place);
+        double before = earlier.cells().leastDepth(place);
+        double after = fraction == 0 ? before : later.cells().leastDepth(place);
         return placed.presence() * (before + fraction * (after - before));
     }
 
     /** Returns the longest path through the cloud; of a layer, which has no end, the greatest float. */
     public double longestPathMetres() {
-        Aabb box = shown.cells().narrowest().box();
-        return shown.cells().isLayer()
+        Aabb box = earlier.cells().narrowest().box();
+        return earlier.cells().isLayer()
                 ? Float.MAX_VALUE
                 : new Vec3(box.maxX(), box.maxY(), box.maxZ())
                         .minus(new Vec3(box.minX(), box.minY(), box.minZ()))
@@ -234,7 +234,7 @@ public final class LitCloud {
     }
 
     private void put(CloudUniforms.Boxes uniforms, Vec3 eye, Vec3 focus) {
-        CellStack cells = shown.cells();
+        CellStack cells = earlier.cells();
         for (int level = 0; level < cells.levels(); level++) {
             uniforms.put(level, cells.density().get(level).cells().box(), eye);
         }

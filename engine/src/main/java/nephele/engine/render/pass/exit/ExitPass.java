@@ -120,7 +120,7 @@ public final class ExitPass implements Pass {
 
     private boolean isVisible(FrameContext frame) {
         for (int i = 0; i < bounds.size(); i++) {
-            if (frame.seen().mayIntersect(bounds.get(i))) {
+            if (frame.frustum().mayIntersect(bounds.get(i))) {
                 return true;
             }
         }

@@ -101,7 +101,7 @@ public final class ImpostorPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         double pixelsPerRadian = pixelsPerRadian(frame);
-        choice.find(frame.view(), frame.seen(), pixelsPerRadian);
+        choice.find(frame.view(), frame.frustum(), pixelsPerRadian);
         frame.surface().bind();
         light.bind(reads);
         plants.bind();

@@ -1,7 +1,5 @@
 package nephele.engine.render.pass.lightning;
 
-import java.nio.ByteBuffer;
-import java.nio.IntBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -26,14 +24,11 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.VertexFormat;
-import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
-import org.lwjgl.system.MemoryUtil;
 
 /**
  * Adds the bolt of a strike to each view: behind surfaces it is hidden, and clouds in front of a point take from it what
@@ -49,12 +44,9 @@ public final class LightningPass implements Pass {
             .using(FrameLightning.RESOURCE, MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/lightning/";
-    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);
-    private static final float[] CORNERS = {-1, -1, 1, -1, 1, 1, -1, 1};
-    private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
 
     /** Share of a bolt's light that comes from the channel itself; clouds around it scatter most of the rest. */
-    private static final double SEEN_SHARE = 0.1;
+    private static final double CHANNEL_FRACTION = 0.1;
 
     /** Points of the main channel from one to the next where it is spread widely. */
     private static final int COARSE = 8;
@@ -64,7 +56,7 @@ public final class LightningPass implements Pass {
      *
      * @param radius over which it is spread, as a share of the picture's height; 0 for that of the channel
      */
-    private record Spread(double share, double radius) {}
+    private record Spread(double weight, double radius) {}
 
     private static final Spread CHANNEL = new Spread(0.9, 0);
     private static final Spread[] GLARE = {new Spread(0.06, 0.011), new Spread(0.04, 0.05)};
@@ -92,26 +84,7 @@ public final class LightningPass implements Pass {
         MeteredExposure.readInViews(context);
         var defines = Defines.of(context).withIf(hasClouds, "CLOUDS").values();
         program = GlProgram.of(gl, FOLDER + "bolt.vert", FOLDER + "bolt.frag", defines, Places.class);
-        quads = context.own(quads(context));
-    }
-
-    private static GpuMesh quads(LoadContext context) {
-        ByteBuffer corners = MemoryUtil.memAlloc(Bolt.MOST_POINTS * 4 * FORMAT.strideBytes());
-        IntBuffer triangles = MemoryUtil.memAllocInt(Bolt.MOST_POINTS * TRIANGLES.length);
-        try {
-            for (int quad = 0; quad < Bolt.MOST_POINTS; quad++) {
-                for (float corner : CORNERS) {
-                    corners.putFloat(corner);
-                }
-                for (int corner : TRIANGLES) {
-                    triangles.put(4 * quad + corner);
-                }
-            }
-            return new GpuMesh(context.gl(), "segments of a bolt", FORMAT, corners.flip(), triangles.flip());
-        } finally {
-            MemoryUtil.memFree(corners);
-            MemoryUtil.memFree(triangles);
-        }
+        quads = context.own(GpuMesh.squares(gl, "segments of a bolt", Bolt.MOST_POINTS));
     }
 
     private static boolean hasClouds(FrameRequest request) {
@@ -156,7 +129,8 @@ public final class LightningPass implements Pass {
         Places places = program.uniforms();
         Vec3 from = bolt.origin().minus(view.eye());
         places.boltFromEye.set((float) from.x(), (float) from.y(), (float) from.z());
-        Vec3 perMetre = lightning.lightning().radiantIntensity().scaled(SEEN_SHARE / Math.max(1, bolt.lengthMetres()));
+        Vec3 perMetre =
+                lightning.lightning().radiantIntensity().scaled(CHANNEL_FRACTION / Math.max(1, bolt.lengthMetres()));
         places.intensityPerMetre.set((float) perMetre.x(), (float) perMetre.y(), (float) perMetre.z());
         places.halfPicture.set(frame.surface().width() / 2f, frame.surface().height() / 2f);
         double pixel = 2 * view.projection().tanHalfHeight() / frame.surface().height();
@@ -165,7 +139,7 @@ public final class LightningPass implements Pass {
 
     private void draw(FrameContext frame, Spread spread, int step, int segments) {
         int height = frame.surface().height();
-        program.uniforms().spreading.set((float) spread.share, (float) (spread.radius * height), step);
-        quads.drawInstanced(0, TRIANGLES.length * segments, 1);
+        program.uniforms().spreading.set((float) spread.weight, (float) (spread.radius * height), step);
+        quads.drawInstanced(0, GpuMesh.SQUARE_INDICES * segments, 1);
     }
 }

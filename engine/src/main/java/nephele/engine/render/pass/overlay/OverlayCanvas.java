@@ -51,12 +51,12 @@ public final class OverlayCanvas {
     }
 
     /** Adds a picture of display-referred colours; a canvas has one at most. */
-    public void picture(double x, double y, double width, double height, Picture shown) {
-        picture = shown;
+    public void picture(double x, double y, double width, double height, Picture newPicture) {
+        picture = newPicture;
         corner(x * scale, y * scale, 0, 0, PICTURE);
-        corner((x + width) * scale, y * scale, shown.width(), 0, PICTURE);
-        corner((x + width) * scale, (y + height) * scale, shown.width(), shown.height(), PICTURE);
-        corner(x * scale, (y + height) * scale, 0, shown.height(), PICTURE);
+        corner((x + width) * scale, y * scale, newPicture.width(), 0, PICTURE);
+        corner((x + width) * scale, (y + height) * scale, newPicture.width(), newPicture.height(), PICTURE);
+        corner(x * scale, (y + height) * scale, 0, newPicture.height(), PICTURE);
     }
 
     /** Returns the canvas's picture; {@code null} for none. */

@@ -15,7 +15,6 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import org.lwjgl.system.MemoryUtil;
@@ -32,8 +31,8 @@ public final class OverlayPass implements AutoCloseable {
     private final FontAtlas atlas;
     private GlProgram<Uniforms.Vector4> program;
     private Texture letters;
-    private Texture shown;
-    private Picture shownPicture;
+    private Texture pictureTexture;
+    private Picture uploadedPicture;
     private QuadStream quads;
     private OverlayCanvas uploaded;
     private long uploadedVersion;
@@ -53,7 +52,7 @@ public final class OverlayPass implements AutoCloseable {
             build();
         }
         if (canvas != uploaded || canvas.version() != uploadedVersion) {
-            show(canvas.picture());
+            upload(canvas.picture());
             quads.upload(canvas.vertices(), canvas.length(), canvas.quads());
             uploaded = canvas;
             uploadedVersion = canvas.version();
@@ -61,22 +60,22 @@ public final class OverlayPass implements AutoCloseable {
         picture.bind();
         gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
         letters.bind(TextureUnit.COLOURS);
-        (shown == null ? letters : shown).bind(TextureUnit.OVERLAY_PICTURE);
+        (pictureTexture == null ? letters : pictureTexture).bind(TextureUnit.OVERLAY_PICTURE);
         program.use();
         program.uniforms().set(picture.width(), picture.height(), 0, 0);
         quads.draw();
     }
 
-    /** Keeps the texture while the picture stays the same, also while none is shown. */
-    private void show(Picture picture) {
-        if (picture == null || picture == shownPicture) {
+    /** Keeps the texture while the picture stays the same, also while none is drawn. */
+    private void upload(Picture picture) {
+        if (picture == null || picture == uploadedPicture) {
             return;
         }
-        if (shown != null) {
-            shown.close();
+        if (pictureTexture != null) {
+            pictureTexture.close();
         }
-        shownPicture = picture;
-        shown = texture(
+        uploadedPicture = picture;
+        pictureTexture = texture(
                 "overlay picture",
                 PixelFormat.RGBA8,
                 Texture.Extent.flat(picture.width(), picture.height()),
@@ -93,10 +92,11 @@ public final class OverlayPass implements AutoCloseable {
                 "ATLAS_WIDTH", FontAtlas.WIDTH_TEXELS + ".0",
                 "ATLAS_HEIGHT", atlas.height() + ".0",
                 "STEPS_PER_TEXEL", FontAtlas.STEPS_PER_TEXEL + ".0");
-        program = new GlProgram<>(
+        program = GlProgram.of(
                 gl,
-                ShaderSource.load(FOLDER + "overlay.vert", defines),
-                ShaderSource.load(FOLDER + "overlay.frag", defines),
+                FOLDER + "overlay.vert",
+                FOLDER + "overlay.frag",
+                defines,
                 uniforms -> uniforms.vector4("pictureSize"));
         quads = new QuadStream(gl, "overlay", FORMAT);
         letters = texture(
@@ -117,8 +117,8 @@ public final class OverlayPass implements AutoCloseable {
             letters.close();
             quads.close();
         }
-        if (shown != null) {
-            shown.close();
+        if (pictureTexture != null) {
+            pictureTexture.close();
         }
     }
 }

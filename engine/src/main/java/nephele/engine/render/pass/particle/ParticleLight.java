@@ -27,7 +27,7 @@ final class ParticleLight {
     private static final double OF_IRRADIANCE = 1 / (2 * Math.PI);
 
     /** Radiance for the irradiance of lit clouds, the bolt's own light included. */
-    private static final double FLASH_SHARE = 2 / Math.PI;
+    private static final double FLASH_FRACTION = 2 / Math.PI;
 
     /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
     private static final double RELIEF = 0.7;
@@ -101,7 +101,7 @@ final class ParticleLight {
             Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyFraction[i]);
             Vector3d direct = new Vector3d();
             if (sun != null && sees(sun, i)) {
-                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudShare(i));
+                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudFraction(i));
             }
             put(
                     i,
@@ -116,15 +116,15 @@ final class ParticleLight {
             Vec3 glow = lightning.isLit()
                     ? lightning.glow(particles.emitters().get(i).centre())
                     : Vec3.ZERO;
-            double share = FLASH_SHARE * skyFraction[i];
-            ofFlash[3 * i] = (float) (share * glow.x());
-            ofFlash[3 * i + 1] = (float) (share * glow.y());
-            ofFlash[3 * i + 2] = (float) (share * glow.z());
+            double fraction = FLASH_FRACTION * skyFraction[i];
+            ofFlash[3 * i] = (float) (fraction * glow.x());
+            ofFlash[3 * i + 1] = (float) (fraction * glow.y());
+            ofFlash[3 * i + 2] = (float) (fraction * glow.z());
         }
     }
 
     /** Returns the share of the sun's light that clouds leave. */
-    private double cloudShare(int emitter) {
+    private double cloudFraction(int emitter) {
         return cloudsFollowed == null
                 ? 1
                 : cloudsFollowed.sun().from(particles.emitters().get(emitter).centre());

@@ -124,7 +124,7 @@ public final class ParticlePass implements Pass {
         boolean any = false;
         particles.follow(frame.frameState().portals());
         for (int i = 0; i < isVisible.length; i++) {
-            isVisible[i] = frame.seen().mayIntersect(particles.bounds(i));
+            isVisible[i] = frame.frustum().mayIntersect(particles.bounds(i));
             any |= isVisible[i];
         }
         return any;

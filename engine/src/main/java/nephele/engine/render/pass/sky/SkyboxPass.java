@@ -26,7 +26,6 @@ import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.PictureArrays;
@@ -57,17 +56,18 @@ public final class SkyboxPass implements Pass {
         mesh = context.own(mesh(gl, faces.extent().width()));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();
-        program = new GlProgram<>(
+        program = GlProgram.of(
                 gl,
-                ShaderSource.load(FOLDER + "skybox.vert", defines),
-                ShaderSource.load(FOLDER + "skybox.frag", defines),
+                FOLDER + "skybox.vert",
+                FOLDER + "skybox.frag",
+                defines,
                 uniforms -> uniforms.scalar("whiteRadiance"));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = !FogTransmittance.hidesSky(environment);
-        return isSeen && environment.sky() instanceof Sky.Skybox skybox
+        boolean isVisible = !FogTransmittance.hidesSky(environment);
+        return isVisible && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", context -> new SkyboxPass(context, skybox)))
                 : List.of();
     }

@@ -144,7 +144,8 @@ public final class SolidPass implements Pass {
         program.use();
         Vec3 cell = batch.cellOrigin();
         program.uniforms().eye().set(frame.view(), cell);
-        program.uniforms().cellFromAnchor().set(cell.minus(light.anchor()));
+        Vec3 anchor = light.anchor();
+        program.uniforms().cellFromAnchor().set(cell.x() - anchor.x(), cell.y() - anchor.y(), cell.z() - anchor.z());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
             colours.get(batch.kind().colourArray()).bind(TextureUnit.COLOURS);

@@ -60,9 +60,9 @@ final class BakedLayers {
 
     private BakedLayers(StaticShape.HeightGrid grid, SceneMaterials materials, ColourDecoding decoding) {
         field = grid.field();
-        layers = TerrainLayers.of(grid.said());
-        paint = grid.painted().map(map -> new LayerPaint(grid.said(), map));
-        zeroHeight = grid.said().centre().y();
+        layers = TerrainLayers.of(grid.authored());
+        paint = grid.painted().map(map -> new LayerPaint(grid.authored(), map));
+        zeroHeight = grid.authored().centre().y();
         codes = decoding.codes();
         double pixel = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows()) / SIZE;
         for (int i = 0; i < layers.count(); i++) {

@@ -52,11 +52,11 @@ final class ModelVisibility {
     }
 
     /** Uses the full share of rays, or fewer if the budget is limited. */
-    private static ModelVisibility of(StaticShapes statics, BakeBudget.Effort effort) {
+    private static ModelVisibility of(StaticShapes statics, boolean isRationed) {
         Occluders occluders = new Occluders(statics);
         int vertices = Math.max(statics.models().vertexCount(), 1);
         int rays = Math.min(Math.max(LEAST_RAYS, ALL_RAYS / vertices), SkyVisibilityBake.RAYS);
-        int divisor = effort == BakeBudget.Effort.RATIONED ? divisor(statics, occluders, rays) : 1;
+        int divisor = isRationed ? divisor(statics, occluders, rays) : 1;
         int left = Math.max(LEAST_RAYS, rays / divisor);
         int vertexStep = Math.max(1, divisor * left / rays);
         return new ModelVisibility(statics, occluders, occluders::isOccluded, left, vertexStep);
@@ -81,8 +81,8 @@ final class ModelVisibility {
     }
 
     /** Returns a value, 0–65535 for 0–1, for every vertex of every model in order. */
-    static short[] values(StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
-        ModelVisibility bake = ModelVisibility.of(statics, effort);
+    static short[] values(StaticShapes statics, boolean isRationed, DoubleConsumer progress) {
+        ModelVisibility bake = ModelVisibility.of(statics, isRationed);
         int count = statics.models().all().size();
         short[][] byModel = new short[count][];
         AtomicInteger done = new AtomicInteger();

@@ -32,7 +32,7 @@ public final class CloudShadePass implements Pass {
     private final Map<Target, Texture> targets;
     private final CellBox lattice;
     private final Texture texture;
-    private CloudInterval shown;
+    private CloudInterval uploaded;
 
     private CloudShadePass(LoadContext context) {
         clouds = context.get(RendererClouds.RESOURCE);
@@ -64,8 +64,8 @@ public final class CloudShadePass implements Pass {
         CloudInterval now = clouds.current().now();
         if (now == null) {
             uploadFull();
-        } else if (shown == null || now.from() != shown.from() || now.fraction() != shown.fraction()) {
-            shown = now;
+        } else if (uploaded == null || now.from() != uploaded.from() || now.fraction() != uploaded.fraction()) {
+            uploaded = now;
             upload();
         }
         targets.put(Target.CLOUD_SHADE, texture);
@@ -84,9 +84,13 @@ public final class CloudShadePass implements Pass {
     private void upload() {
         ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * lattice.nx() * lattice.ny());
         for (int k = 0; k < lattice.nz(); k++) {
-            shown.from()
+            uploaded.from()
                     .sun()
-                    .put(shown.to().sun(), shown.fraction(), k, slice.clear().asShortBuffer());
+                    .put(
+                            uploaded.to().sun(),
+                            uploaded.fraction(),
+                            k,
+                            slice.clear().asShortBuffer());
             texture.upload(k, slice.clear());
         }
         MemoryUtil.memFree(slice);

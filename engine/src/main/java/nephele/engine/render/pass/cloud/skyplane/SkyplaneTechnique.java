@@ -70,8 +70,8 @@ public final class SkyplaneTechnique implements CloudDrawing {
     @Override
     public void follow(Environment environment, CloudInterval now) {
         lit.follow(environment, now);
-        List<CloudSource.Box> from = lit.shown().boxes();
-        List<CloudSource.Box> to = lit.toCome().boxes();
+        List<CloudSource.Box> from = lit.earlier().boxes();
+        List<CloudSource.Box> to = lit.later().boxes();
         if (from == columnsFrom && to == columnsTo) {
             return;
         }

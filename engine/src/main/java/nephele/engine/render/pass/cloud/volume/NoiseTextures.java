@@ -25,8 +25,8 @@ final class NoiseTextures {
     private final Texture detail;
     private final Texture profile;
     private final Texture plan;
-    private List<CloudSource.Box> shownFrom;
-    private List<CloudSource.Box> shownTo;
+    private List<CloudSource.Box> uploadedFrom;
+    private List<CloudSource.Box> uploadedTo;
 
     /** The uniforms of {@code cloud-noise.glsl}. */
     record Places(
@@ -79,13 +79,13 @@ final class NoiseTextures {
         return texture;
     }
 
-    /** Shows the plans of two times. */
-    void show(List<CloudSource.Box> from, List<CloudSource.Box> to) {
-        if (from == shownFrom && to == shownTo) {
+    /** Uploads the plans of two times unless they are there. */
+    void upload(List<CloudSource.Box> from, List<CloudSource.Box> to) {
+        if (from == uploadedFrom && to == uploadedTo) {
             return;
         }
-        shownFrom = from;
-        shownTo = to;
+        uploadedFrom = from;
+        uploadedTo = to;
         int texelsOfPlan = CloudSource.PLAN_COLUMNS * CloudSource.PLAN_COLUMNS;
         ByteBuffer texels = MemoryUtil.memAlloc(2 * Short.BYTES * texelsOfPlan);
         for (int box = 0; box < from.size(); box++) {

@@ -1,4 +1,4 @@
-package nephele.engine.level.planted;
+package nephele.engine.level.billboard;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,7 +11,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.level.billboard.FieldPlanting;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -101,23 +100,23 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         List<Kind> inOrder = new ArrayList<>();
         FieldPlanting planting = new FieldPlanting(statics);
         for (PlacedModel model : statics.models().all()) {
-            ModelPlacement said = model.said();
-            if (!said.impostor()) {
+            ModelPlacement authored = model.authored();
+            if (!authored.impostor()) {
                 continue;
             }
-            Plant alone = said.isPlanted() ? null : alone(model);
+            Plant alone = authored.isPlanted() ? null : alone(model);
             int kind = kinds.computeIfAbsent(kind(model, alone), added -> {
                 inOrder.add(added);
                 return inOrder.size() - 1;
             });
-            requireFew(inOrder.size(), said);
+            requireFew(inOrder.size(), authored);
             if (alone != null) {
                 plants.add(new Plant(kind, model.index(), alone.foot(), alone.turn(), alone.scale()));
             } else {
-                SeededNoise noise = new SeededNoise(said.id().hashCode());
-                List<Vec3> feet = planting.plant(said.field(), assets);
+                SeededNoise noise = new SeededNoise(authored.id().hashCode());
+                List<Vec3> feet = planting.plant(authored.field(), assets);
                 for (int i = 0; i < feet.size(); i++) {
-                    double scale = 1 - said.heightVariation() * noise.unit(i, SIZE, 0);
+                    double scale = 1 - authored.heightVariation() * noise.unit(i, SIZE, 0);
                     double turn = TURN_RADIANS * noise.unit(i, TURN, 0);
                     plants.add(new Plant(kind, model.index(), feet.get(i), turn, scale));
                 }
@@ -129,7 +128,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     /** @param alone {@code null} for the models of a field */
     private static Kind kind(PlacedModel model, Plant alone) {
         Matrix4dc shape = alone == null ? model.worldFromModel() : shape(model, alone);
-        return new Kind(model.mesh(), shape, model.said().material());
+        return new Kind(model.mesh(), shape, model.authored().material());
     }
 
     private static void requireFew(int kinds, ModelPlacement last) {
@@ -149,9 +148,9 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     public static int kinds(StaticShapes statics) {
         Set<Kind> kinds = new HashSet<>();
         for (PlacedModel model : statics.models().all()) {
-            if (model.said().impostor()) {
-                kinds.add(kind(model, model.said().isPlanted() ? null : alone(model)));
-                requireFew(kinds.size(), model.said());
+            if (model.authored().impostor()) {
+                kinds.add(kind(model, model.authored().isPlanted() ? null : alone(model)));
+                requireFew(kinds.size(), model.authored());
             }
         }
         return kinds.size();
@@ -181,7 +180,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         List<Vec3> corners = new ArrayList<>();
         double reach = 0;
         for (PlacedModel model : statics.models().all()) {
-            if (model.said().isPlanted()) {
+            if (model.authored().isPlanted()) {
                 reach = Math.max(reach, farthest(model));
             }
         }
