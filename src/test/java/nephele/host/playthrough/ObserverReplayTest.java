@@ -93,7 +93,7 @@ class ObserverReplayTest {
         int before = 0;
         for (Bound kind : List.of(Bound.BOX, Bound.ORIENTED_BOX, Bound.TREE, Bound.TRIANGLES)) {
             Playthrough walk = walk(new Held(PlayerInput.FORWARD));
-            while (walk.observer().shown() != kind) {
+            while (walk.observer().touchable() != kind) {
                 walk.changePerson();
             }
             List<ObserverSphere> seen = spheres(walk, 240);

@@ -239,7 +239,7 @@ final class GamePicture {
         ObserverSphere sphere = walk.frameState().observer();
         Phrase contact = sphere.touches() ? Phrase.BOUNDS_TOUCHED : Phrase.BOUNDS_APART;
         return new Banner(
-                boundsPhrase(walk.observer().shown()).in(language) + ": " + contact.in(language),
+                boundsPhrase(walk.observer().touchable()).in(language) + ": " + contact.in(language),
                 movingKeys(keys) + ": " + Phrase.OBSERVER_MOVES.in(language) + "   " + keys.inSentence(Control.PERSON)
                         + ": " + Phrase.BOUNDS_NEXT.in(language));
     }

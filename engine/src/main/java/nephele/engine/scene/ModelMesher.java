@@ -21,7 +21,6 @@ final class ModelMesher {
     private final short[] skyVisibility;
     private final int[] firstValue;
     private final MeshCopy copy;
-    private final MeshCopy.MeshSpans spans;
 
     /**
      * Makes a mesher for all models of a level.
@@ -40,7 +39,6 @@ final class ModelMesher {
         this.batches = batches;
         this.skyVisibility = skyVisibility;
         this.copy = copy;
-        spans = MeshCopy.MeshSpans.of(models.size());
         firstValue = new int[models.size()];
         int corners = 0;
         int values = 0;
@@ -49,17 +47,17 @@ final class ModelMesher {
             values += models.get(i).triangles().positions().length / 3;
             corners += 3 * models.get(i).triangles().count();
         }
-        vertices = new VertexBytes(corners, SolidGeometry.MODEL_VERTEX_BYTES);
+        vertices = new VertexBytes(models.size(), corners, SolidGeometry.MODEL_VERTEX_BYTES);
     }
 
     void add(int model, int slot) {
-        spans.begin(model, slot, vertices.count());
+        vertices.begin(model, slot);
         boolean isMeshed =
                 !models.get(model).isEmpty() && !models.get(model).authored().impostor();
         if (isMeshed && (copy == null || !copy.copy(model, vertices, batches))) {
             add(model);
         }
-        spans.end(model, vertices.count());
+        vertices.end(model);
     }
 
     private void add(int model) {
@@ -86,8 +84,8 @@ final class ModelMesher {
         }
     }
 
-    MeshCopy.MeshSpans spans() {
-        return spans;
+    VertexBytes vertices() {
+        return vertices;
     }
 
     SolidGeometry.Triangles finished(IntBuffer indices) {

@@ -49,8 +49,8 @@ public final class SolidGeometry {
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
     private final FaceFragments fragments;
 
-    private final MeshCopy.MeshSpans solidSpans;
-    private final MeshCopy.MeshSpans modelSpans;
+    private final VertexBytes solidVertices;
+    private final VertexBytes modelVertices;
     private final Triangles solids;
     private final Triangles models;
     private final List<SolidBatch> batches;
@@ -100,7 +100,9 @@ public final class SolidGeometry {
                 light,
                 solidBatches,
                 known(copied, parts),
-                copied == null ? null : new MeshCopy(copied.solidSpans, copied.solids, copied.batches(false)));
+                copied == null
+                        ? null
+                        : new MeshCopy(copied.solidVertices, copied.solids.indices(), copied.batches(false)));
         ModelMesher modelMesher = new ModelMesher(
                 drawn.models().all(),
                 materials,
@@ -121,8 +123,8 @@ public final class SolidGeometry {
         List<SolidBatch> all = new ArrayList<>();
         solids = solidMesher.finished(solidBatches.finish(all));
         models = modelMesher.finished(modelBatches.finish(all));
-        solidSpans = solidMesher.spans();
-        modelSpans = modelMesher.spans();
+        solidVertices = solidMesher.vertices();
+        modelVertices = modelMesher.vertices();
         fragments = before != null || sky != null ? parts : null;
         batches = List.copyOf(all);
     }
@@ -151,7 +153,7 @@ public final class SolidGeometry {
         Set<String> changed = now.changedSince(materials);
         boolean isOneChanged = drawn.models().all().stream()
                 .anyMatch(model -> changed.contains(model.authored().material()));
-        return isOneChanged ? null : new MeshCopy(modelSpans, models, batches(true));
+        return isOneChanged ? null : new MeshCopy(modelVertices, models.indices(), batches(true));
     }
 
     private List<SolidBatch> batches(boolean ofModels) {

@@ -19,7 +19,6 @@ final class SolidMesher {
     private final SceneMaterials materials;
     private final LightMapLookup light;
     private final BatchBuilder batches;
-    private final MeshCopy.MeshSpans spans;
     private final MeshCopy copy;
     /** For each solid its number in the mesh that is copied, {@link IdentityDiff#NEW} if it has to be meshed. */
     private final int[] known;
@@ -49,8 +48,7 @@ final class SolidMesher {
         this.known = known;
         this.copy = copy;
         int bytes = SolidGeometry.VERTEX_BYTES + (light == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
-        vertices = new VertexBytes(corners(), bytes);
-        spans = MeshCopy.MeshSpans.of(brushes.size());
+        vertices = new VertexBytes(brushes.size(), corners(), bytes);
     }
 
     private int corners() {
@@ -78,13 +76,13 @@ final class SolidMesher {
     }
 
     void add(int number, int slot) {
-        spans.begin(number, slot, vertices.count());
+        vertices.begin(number, slot);
         if (known[number] == IdentityDiff.NEW || !copy.copy(known[number], vertices, batches)) {
             for (int face = 0; face < brushes.get(number).faces().size(); face++) {
                 addFace(number, face);
             }
         }
-        spans.end(number, vertices.count());
+        vertices.end(number);
     }
 
     private void addFace(int brush, int faceIndex) {
@@ -121,8 +119,8 @@ final class SolidMesher {
                 : SolidBatch.Form.SOLID;
     }
 
-    MeshCopy.MeshSpans spans() {
-        return spans;
+    VertexBytes vertices() {
+        return vertices;
     }
 
     SolidGeometry.Triangles finished(IntBuffer indices) {

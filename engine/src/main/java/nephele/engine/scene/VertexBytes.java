@@ -4,13 +4,19 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import nephele.engine.math.Vec3;
 
-/** Vertices in the layout of the GPU buffer, appended one by one. */
+/** Vertices in the layout of the GPU buffer, appended shape by shape, with the range and the slot of each shape. */
 final class VertexBytes {
     private final ByteBuffer bytes;
     private final int vertexBytes;
+    private final int[] firsts;
+    private final int[] ends;
+    private final int[] slots;
 
-    VertexBytes(int vertices, int vertexBytes) {
+    VertexBytes(int shapes, int vertices, int vertexBytes) {
         this.vertexBytes = vertexBytes;
+        firsts = new int[shapes];
+        ends = new int[shapes];
+        slots = new int[shapes];
         bytes = ByteBuffer.allocateDirect(vertices * vertexBytes).order(ByteOrder.nativeOrder());
     }
 
@@ -19,10 +25,36 @@ final class VertexBytes {
         return bytes.position() / vertexBytes;
     }
 
-    /** Appends vertices of the same layout. */
-    void copy(ByteBuffer from, int first, int vertices) {
-        bytes.put(bytes.position(), from, first * vertexBytes, vertices * vertexBytes);
-        bytes.position(bytes.position() + vertices * vertexBytes);
+    /** Begins a shape, which has a slot in the spatial index. */
+    void begin(int shape, int slot) {
+        firsts[shape] = count();
+        slots[shape] = slot;
+    }
+
+    void end(int shape) {
+        ends[shape] = count();
+    }
+
+    /** Returns the slot of a shape. */
+    int slot(int shape) {
+        return slots[shape];
+    }
+
+    /** Returns the first vertex of a shape. */
+    int first(int shape) {
+        return firsts[shape];
+    }
+
+    /** Returns the number of vertices of a shape. */
+    int count(int shape) {
+        return ends[shape] - firsts[shape];
+    }
+
+    /** Appends the vertices of a shape of the same layout. */
+    void copy(VertexBytes from, int shape) {
+        int length = from.count(shape) * vertexBytes;
+        bytes.put(bytes.position(), from.bytes, from.first(shape) * vertexBytes, length);
+        bytes.position(bytes.position() + length);
     }
 
     void position(Vec3 p, Vec3 cell) {

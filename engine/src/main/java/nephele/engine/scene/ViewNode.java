@@ -149,7 +149,7 @@ public final class ViewNode {
         region.copy(outline);
         region.keepWithin(seenIn.region);
         if (!outline.isEmpty() && !region.isEmpty()) {
-            area = region.share() * picture.width() * picture.height();
+            area = region.fraction() * picture.width() * picture.height();
             pixels.around(region, picture.width(), picture.height(), seenIn.pixels);
         }
     }

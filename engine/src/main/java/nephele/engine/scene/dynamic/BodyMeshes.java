@@ -1,7 +1,6 @@
 package nephele.engine.scene.dynamic;
 
 import java.util.Arrays;
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 
 /**
@@ -15,7 +14,7 @@ final class BodyMeshes {
     private BodyMeshes() {}
 
     /** Adds a box from −1 to 1 along each axis, with texture coordinates in the same range. */
-    static Range box(Builder mesh) {
+    static Range box(DynamicMesh mesh) {
         int first = mesh.indexCount();
         mesh.tag(0, 0);
         for (int face = 0; face < 6; face++) {
@@ -43,7 +42,7 @@ final class BodyMeshes {
      * Adds spheres of radius 1, each in two halves, which an instance may move apart along y to make a capsule. v is
      * below ½ on the lower half and above it on the upper one.
      */
-    static Range[] round(Builder mesh) {
+    static Range[] round(DynamicMesh mesh) {
         Range[] steps = new Range[SIDES.length];
         for (int i = 0; i < SIDES.length; i++) {
             steps[i] = sphere(mesh, SIDES[i]);
@@ -51,7 +50,7 @@ final class BodyMeshes {
         return steps;
     }
 
-    private static Range sphere(Builder mesh, int sides) {
+    private static Range sphere(DynamicMesh mesh, int sides) {
         int first = mesh.indexCount();
         mesh.tag(0, 0);
         int rows = sides / 2 + 2;
@@ -80,7 +79,7 @@ final class BodyMeshes {
     }
 
     /** Adds the triangles between two rings of equally many vertices, the second above the first. */
-    static void band(Builder mesh, int[] below, int[] above) {
+    static void band(DynamicMesh mesh, int[] below, int[] above) {
         for (int i = 0; i + 1 < below.length; i++) {
             mesh.triangle(below[i], below[i + 1], above[i + 1]);
             mesh.triangle(below[i], above[i + 1], above[i]);

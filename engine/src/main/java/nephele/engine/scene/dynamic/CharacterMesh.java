@@ -3,7 +3,6 @@ package nephele.engine.scene.dynamic;
 import java.util.List;
 import nephele.engine.level.Material;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 
 /**
@@ -30,11 +29,11 @@ final class CharacterMesh {
             material("metal", 0.5, 0.5, 0.52, 0.4, 1),
             new Material("light", new Vec3(0.1, 0.5, 0.6), null, 0.4, null, null, new Vec3(0.2, 1.5, 1.9), 1));
 
-    private final Builder mesh;
+    private final DynamicMesh mesh;
     private final int fineness;
     private int part;
 
-    private CharacterMesh(Builder mesh, int fineness) {
+    private CharacterMesh(DynamicMesh mesh, int fineness) {
         this.mesh = mesh;
         this.fineness = fineness;
     }
@@ -48,7 +47,7 @@ final class CharacterMesh {
      *
      * @return the range of the whole character, the range without the head, and that without both
      */
-    static Range[] add(Builder mesh, int fineness) {
+    static Range[] add(DynamicMesh mesh, int fineness) {
         int first = mesh.indexCount();
         CharacterMesh character = new CharacterMesh(mesh, fineness);
         for (CharacterPart each : CharacterPart.ALL) {

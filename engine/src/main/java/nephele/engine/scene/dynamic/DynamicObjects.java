@@ -11,7 +11,7 @@ import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
+import nephele.engine.scene.SolidGeometry.Triangles;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 
 /**
@@ -23,7 +23,7 @@ import nephele.engine.scene.dynamic.DynamicMesh.Range;
  * @param materialOf for each body its index in its block of {@code materials}
  */
 public record DynamicObjects(
-        DynamicMesh mesh,
+        Triangles mesh,
         List<DynamicGroup> groups,
         List<Surface> materials,
         List<int[]> members,
@@ -48,7 +48,7 @@ public record DynamicObjects(
     }
 
     public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence character) {
-        Builder mesh = new Builder();
+        DynamicMesh mesh = new DynamicMesh();
         Range[] box = {BodyMeshes.box(mesh)};
         Range[] round = BodyMeshes.round(mesh);
         List<DynamicShape> shapes =
@@ -86,7 +86,7 @@ public record DynamicObjects(
     }
 
     /** Appends the character's materials, all in one block. */
-    private static DynamicGroup characterGroup(Builder mesh, List<Surface> materials) {
+    private static DynamicGroup characterGroup(DynamicMesh mesh, List<Surface> materials) {
         int first = append(CharacterMesh.MATERIALS, materials);
         Range[] fine = CharacterMesh.add(mesh, FINE);
         Range[] coarse = CharacterMesh.add(mesh, COARSE);

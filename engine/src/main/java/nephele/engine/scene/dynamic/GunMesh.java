@@ -9,7 +9,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
+import nephele.engine.scene.SolidGeometry.Triangles;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 import org.joml.Vector3d;
 
@@ -80,11 +80,11 @@ public final class GunMesh {
 
     private static final double AXIS = AXIS_METRES;
 
-    private final Builder mesh;
+    private final DynamicMesh mesh;
     /** The number of sides of a rounded shape, as a share of the full number. */
     private final double fineness;
 
-    private GunMesh(Builder mesh, double fineness) {
+    private GunMesh(DynamicMesh mesh, double fineness) {
         this.mesh = mesh;
         this.fineness = fineness;
     }
@@ -101,18 +101,18 @@ public final class GunMesh {
     }
 
     /** The mesh with the ranges of its two levels of detail; all vertices belong to part 0. */
-    public record Model(DynamicMesh mesh, Range fine, Range coarse) {}
+    public record Model(Triangles mesh, Range fine, Range coarse) {}
 
     /** Returns the model. */
     public static Model make() {
-        Builder mesh = new Builder();
+        DynamicMesh mesh = new DynamicMesh();
         Range fine = new GunMesh(mesh, 1).add();
         Range coarse = new GunMesh(mesh, COARSE).add();
         return withoutBacks(mesh.finished(), fine, coarse);
     }
 
     /** Drops the triangles that face away from the eye wherever {@link #EYES} it is: half of them. */
-    private static Model withoutBacks(DynamicMesh all, Range fine, Range coarse) {
+    private static Model withoutBacks(Triangles all, Range fine, Range coarse) {
         IntBuffer kept = ByteBuffer.allocateDirect(4 * all.indices().limit())
                 .order(ByteOrder.nativeOrder())
                 .asIntBuffer();
@@ -128,10 +128,10 @@ public final class GunMesh {
             }
             left[range == fine ? 0 : 1] = new Range(first, kept.position() - first);
         }
-        return new Model(new DynamicMesh(all.vertices(), kept.flip()), left[0], left[1]);
+        return new Model(new Triangles(all.vertices(), kept.flip()), left[0], left[1]);
     }
 
-    private static boolean mayFaceEye(DynamicMesh all, int triangle) {
+    private static boolean mayFaceEye(Triangles all, int triangle) {
         Vector3d a = corner(all, triangle);
         Vector3d b = corner(all, triangle + 1).sub(a);
         Vector3d normal = b.cross(corner(all, triangle + 2).sub(a));
@@ -142,7 +142,7 @@ public final class GunMesh {
         return normal.dot(x - a.x, y - a.y, z - a.z) > 0;
     }
 
-    private static Vector3d corner(DynamicMesh all, int index) {
+    private static Vector3d corner(Triangles all, int index) {
         int at = all.indices().get(index) * DynamicMesh.VERTEX_BYTES;
         return new Vector3d(
                 all.vertices().getFloat(at),

@@ -2,7 +2,6 @@ package nephele.engine.scene.dynamic;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
 import org.joml.Vector3d;
 
 /**
@@ -69,7 +68,7 @@ final class Loft {
         return this;
     }
 
-    void addTo(Builder mesh) {
+    void addTo(DynamicMesh mesh) {
         Vector3d[][] rings = new Vector3d[sections.size()][];
         for (int i = 0; i < rings.length; i++) {
             rings[i] = ring(i);
@@ -91,7 +90,7 @@ final class Loft {
     }
 
     /** Adds the vertices of a ring whose normals follow from the rings {@code from} to {@code to}. */
-    private int[] row(Builder mesh, Vector3d[][] rings, int at, int from, int to) {
+    private int[] row(DynamicMesh mesh, Vector3d[][] rings, int at, int from, int to) {
         int[] row = new int[sides + 1];
         for (int j = 0; j <= sides; j++) {
             Vector3d n = normal(rings, at, from, to, j);
@@ -148,7 +147,7 @@ final class Loft {
      * @param halves half width and height of the ellipse, half the ring's thickness in its plane and along z
      * @param around number of its segments
      */
-    static void hoop(Builder mesh, double[] centre, double[] halves, int around) {
+    static void hoop(DynamicMesh mesh, double[] centre, double[] halves, int around) {
         double halfWidth = halves[0];
         double halfHeight = halves[1];
         double thickness = halves[2];

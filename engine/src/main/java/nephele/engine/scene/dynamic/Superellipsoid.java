@@ -1,7 +1,5 @@
 package nephele.engine.scene.dynamic;
 
-import nephele.engine.scene.dynamic.DynamicMesh.Builder;
-
 /**
  * A superellipsoid (Barr 1981, "Superquadrics and Angle-Preserving Transformations"), tapered along y. The parts of the
  * player's character consist of these.
@@ -9,7 +7,7 @@ import nephele.engine.scene.dynamic.DynamicMesh.Builder;
  * @param centre metres
  * @param half half sides, metres
  * @param roundness exponents along the height and around the y axis: 1 an ellipsoid, near 0 a box
- * @param taper share by which the top is wider than the middle, and the bottom narrower
+ * @param taper fraction by which the top is wider than the middle, and the bottom narrower
  */
 record Superellipsoid(double[] centre, double[] half, double[] roundness, double taper) {
     private static final double NUDGE = 1e-4;
@@ -32,8 +30,8 @@ record Superellipsoid(double[] centre, double[] half, double[] roundness, double
         return new Superellipsoid(centre, half, new double[] {upright, around}, taper);
     }
 
-    Superellipsoid tapered(double share) {
-        return new Superellipsoid(centre, half, roundness, share);
+    Superellipsoid tapered(double fraction) {
+        return new Superellipsoid(centre, half, roundness, fraction);
     }
 
     /**
@@ -41,7 +39,7 @@ record Superellipsoid(double[] centre, double[] half, double[] roundness, double
      *
      * @param sides number around the y axis; half as many rows, at least 4
      */
-    void addTo(Builder mesh, int sides) {
+    void addTo(DynamicMesh mesh, int sides) {
         int rows = Math.max(4, sides / 2);
         int[] below = new int[sides + 1];
         int[] ring = new int[sides + 1];

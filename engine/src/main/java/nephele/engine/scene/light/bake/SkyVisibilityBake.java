@@ -148,9 +148,9 @@ public final class SkyVisibilityBake {
             double x = column + offsets[i % offsets.length];
             double y = row + offsets[i / offsets.length];
             if (x > 0 && x < chart.columns() - 1 && y > 0 && y < chart.rows() - 1) {
-                double seen = visibility(chart, chart.inside(x, y), brush, i, step);
-                sum += Double.isNaN(seen) ? 0 : seen;
-                weights += Double.isNaN(seen) ? 0 : 1;
+                double visible = visibility(chart, chart.inside(x, y), brush, i, step);
+                sum += Double.isNaN(visible) ? 0 : visible;
+                weights += Double.isNaN(visible) ? 0 : 1;
             }
         }
         return sum / weights;
