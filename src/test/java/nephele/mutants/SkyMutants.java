@@ -49,8 +49,8 @@ final class SkyMutants {
                     CLOUD,
                     "a layer of clouds drifts up with the wind",
                     ENGINE + "cloud/field/CloudFields.java",
-                    "drift = new Vec3(drifted.x(), 0, drifted.z());",
-                    "drift = drifted;",
+                    "return isLayer() ? new Vec3(drifted.x(), 0, drifted.z()) : drifted;",
+                    "return drifted;",
                     "CloudMotionTest"),
             new Mutant(
                     CLOUD,

@@ -10,6 +10,7 @@ import nephele.engine.asset.ResourceAssets;
 import nephele.engine.cloud.cells.CellMarch;
 import nephele.engine.cloud.cells.LightCells;
 import nephele.engine.cloud.field.CloudFields;
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
@@ -181,7 +182,8 @@ class CloudTimelineTest {
         try (CloudTimeline timeline = timeline(environment, COARSE_LIGHT)) {
             CloudInterval later = timeline.at(environment, 777, Vec3.ZERO);
             CloudSource source = timeline.sources().get(0);
-            var field = CloudFields.of(source.cloud(), new ResourceAssets("/assets"), 777);
+            var field = CloudFields.of(source.cloud(), new ResourceAssets("/assets"), CloudTables::of)
+                    .flat(777, 0);
             var noise = source.noise(777);
             Vec3 drift = source.drift(777);
             for (int n = 0; n < 200; n++) {

@@ -8,6 +8,7 @@ import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
+import nephele.engine.cloud.noise.EvolvingNoise;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Cloud.Density.Noise;
 import nephele.engine.level.CloudProfile;
@@ -85,7 +86,7 @@ class NoiseCloudTest {
     @EnumSource(CloudProfile.class)
     void thePatternRepeatsAfterTheDeclaredPeriodAndNotBefore(CloudProfile profile) {
         ExtinctionField field = layer(new Noise(5, FEATURE, 0.6, 0.5, profile, null, 0), 900);
-        double period = NoiseLayouts.PERIOD_FEATURES * FEATURE;
+        double period = EvolvingNoise.PERIOD_FEATURES * FEATURE;
         var random = new SplittableRandom(2);
         double half = 0;
         double shape = 0;
@@ -173,7 +174,7 @@ class NoiseCloudTest {
     void aCoverageMapRulesThePlanOfAVolume() {
         var box = new Cloud.Extent.Volume(new Vec3(0, 500, 0), new Vec3(3700, 400, 2100));
         ExtinctionField field = field(box, new Noise(7, 60, 1, 0, null, "map.png", 0));
-        VoxelGrid map = CloudFiles.greys(PictureDecoder.decode("map.png", TestPictures.COVERAGE.bytes("map.png")));
+        VoxelGrid map = CloudFields.greys(PictureDecoder.decode("map.png", TestPictures.COVERAGE.bytes("map.png")));
         for (int k = 0; k < 21; k++) {
             for (int i = 0; i < 37; i++) {
                 double x = -1850 + (i + 0.5) * 100;

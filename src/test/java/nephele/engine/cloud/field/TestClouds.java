@@ -21,21 +21,20 @@ final class TestClouds {
             double extinctionPerMetre,
             Cloud.Motion motion,
             double seconds) {
-        return CloudFields.flat(cloud(extent, density, extinctionPerMetre, motion), files(density), seconds, 0);
+        return fields(cloud(extent, density, extinctionPerMetre, motion)).flat(seconds, 0);
     }
 
     /** Returns the field of a layer to be bent into a shell. */
     static ExtinctionField slack(Cloud.Extent extent, Cloud.Density density, double extinctionPerMetre) {
         Cloud cloud = cloud(extent, density, extinctionPerMetre, Cloud.Motion.STILL);
-        return CloudFields.flat(cloud, files(density), 0, ShellField.SLACK_METRES);
+        return fields(cloud).flat(0, ShellField.SLACK_METRES);
     }
 
     private static Cloud cloud(Cloud.Extent extent, Cloud.Density density, double extinction, Cloud.Motion motion) {
         return new Cloud("c", extent, CloudTechnique.AUTO, density, extinction, 1, 0, motion);
     }
 
-    private static CloudFiles files(Cloud.Density density) {
-        Cloud any = cloud(new Cloud.Extent.Layer(0, 1), density, 1, Cloud.Motion.STILL);
-        return CloudFiles.of(any, TestPictures.COVERAGE, seed -> TABLES);
+    private static CloudFields fields(Cloud cloud) {
+        return CloudFields.of(cloud, TestPictures.COVERAGE, seed -> TABLES);
     }
 }

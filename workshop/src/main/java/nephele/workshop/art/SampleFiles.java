@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.field.CloudFields;
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudProfile;
 import nephele.engine.level.CloudTechnique;
@@ -215,7 +216,8 @@ final class SampleFiles {
     private static ExtinctionField heap() {
         var noise = new Cloud.Density.Noise(11, 0.55, 1, 0.4, CloudProfile.CUMULUS, null, 0);
         var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(2, 2, 2));
-        return CloudFields.of(new Cloud("heap", extent, CloudTechnique.AUTO, noise, 1, 1, 0), null, 0);
+        return CloudFields.of(new Cloud("heap", extent, CloudTechnique.AUTO, noise, 1, 1, 0), null, CloudTables::of)
+                .flat(0, 0);
     }
 
     private static double at(int voxel, int voxels) {

@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.cloud.noise.EvolvingNoise;
 import nephele.engine.level.Cloud;
 
@@ -18,9 +19,9 @@ final class EvenNoise implements NoiseDensity {
     private final double erosion;
 
     /** @param map {@code null} for none */
-    EvenNoise(Cloud.Density.Noise noise, NoiseLayouts noises, PlanMap map) {
-        shape = noises.shape();
-        detail = noises.detail();
+    EvenNoise(Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds, PlanMap map) {
+        shape = EvolvingNoise.shape(noise, tables, evolutionSeconds, seconds);
+        detail = EvolvingNoise.detail(noise, tables, evolutionSeconds, seconds);
         coverage = noise.coverage();
         this.map = map;
         erosion = EROSION * noise.erosion();

@@ -35,18 +35,17 @@ public final class LoadedClouds {
     private static final int COLUMN_ROWS = 16;
     private static final double LEAST_SUN_SINE = 0.05;
 
+    private final List<CloudFields> loaded;
     private final List<Cloud> clouds;
     private final List<Weather> weathers;
     private final WeatherCourse course;
-    private final List<CloudFiles> files;
     private final boolean isRound;
 
-    private LoadedClouds(
-            List<Cloud> clouds, List<Weather> weathers, WeatherCourse course, List<CloudFiles> files, boolean isRound) {
-        this.clouds = clouds;
+    private LoadedClouds(List<CloudFields> loaded, List<Weather> weathers, WeatherCourse course, boolean isRound) {
+        this.loaded = List.copyOf(loaded);
+        clouds = loaded.stream().map(CloudFields::cloud).toList();
         this.weathers = weathers;
         this.course = course;
-        this.files = files;
         this.isRound = isRound;
     }
 
@@ -73,16 +72,12 @@ public final class LoadedClouds {
         CloudDemand.of(clouds).requireMemoryOfTables(Runtime.getRuntime().maxMemory());
         List<Weather> weathers = new ArrayList<>();
         changing.forEach(cloud -> weathers.add(cloud.weather()));
-        List<CloudFiles> files = new ArrayList<>();
+        List<CloudFields> loaded = new ArrayList<>();
         for (Cloud cloud : clouds) {
-            files.add(CloudFiles.of(cloud, assets, tables));
+            loaded.add(CloudFields.of(cloud, assets, tables));
         }
         return new LoadedClouds(
-                clouds,
-                weathers,
-                WeatherCourse.of(environment),
-                List.copyOf(files),
-                environment.sky() instanceof Sky.Atmosphere);
+                loaded, weathers, WeatherCourse.of(environment), environment.sky() instanceof Sky.Atmosphere);
     }
 
     /** Returns the clouds, those of the weather last. */
@@ -92,12 +87,13 @@ public final class LoadedClouds {
 
     /** Returns the same clouds without wind: as an observer sees them who drifts with each. */
     public LoadedClouds withoutWind() {
-        List<Cloud> still = clouds.stream().map(LoadedClouds::withoutWind).toList();
-        return new LoadedClouds(still, weathers, course, files, isRound);
+        List<CloudFields> still = loaded.stream().map(LoadedClouds::withoutWind).toList();
+        return new LoadedClouds(still, weathers, course, isRound);
     }
 
-    private static Cloud withoutWind(Cloud cloud) {
-        return cloud.with(new Cloud.Motion(Vec3.ZERO, cloud.motion().evolutionSeconds()));
+    private static CloudFields withoutWind(CloudFields loaded) {
+        Cloud cloud = loaded.cloud();
+        return loaded.with(cloud.with(new Cloud.Motion(Vec3.ZERO, cloud.motion().evolutionSeconds())));
     }
 
     /**
@@ -106,21 +102,21 @@ public final class LoadedClouds {
      * @param techniques as many as clouds
      */
     public LoadedClouds drawnBy(List<CloudTechnique> techniques) {
-        List<Cloud> drawn = new ArrayList<>();
+        List<CloudFields> drawn = new ArrayList<>();
         for (int i = 0; i < clouds.size(); i++) {
-            drawn.add(clouds.get(i).with(techniques.get(i)));
+            drawn.add(loaded.get(i).with(clouds.get(i).with(techniques.get(i))));
         }
-        return new LoadedClouds(drawn, weathers, course, files, isRound);
+        return new LoadedClouds(drawn, weathers, course, isRound);
     }
 
     /** Returns the field that a cloud has at the start in a world without curvature, if its weather has come wholly. */
     public ExtinctionField flat(int index) {
-        return CloudFields.flat(clouds.get(index), files.get(index), 0, 0);
+        return loaded.get(index).flat(0, 0);
     }
 
     /** Returns the field that a cloud has at some time if its weather has come wholly. */
     public ExtinctionField field(int index, double seconds) {
-        return field(clouds.get(index), files.get(index), seconds);
+        return field(loaded.get(index), seconds);
     }
 
     /** Returns the fraction of a cloud's extinction that its weather gives it at a time, 0 to 1. */
@@ -134,10 +130,11 @@ public final class LoadedClouds {
         return course;
     }
 
-    private Cloud present(int index, double seconds) {
+    private CloudFields present(int index, double seconds) {
         double presence = presence(index, seconds);
         Cloud cloud = clouds.get(index);
-        return presence == 1 ? cloud : cloud.withExtinction(presence * cloud.extinctionPerMetre());
+        CloudFields whole = loaded.get(index);
+        return presence == 1 ? whole : whole.with(cloud.withExtinction(presence * cloud.extinctionPerMetre()));
     }
 
     /**
@@ -148,7 +145,7 @@ public final class LoadedClouds {
     public List<CloudMedium> at(double seconds) {
         List<CloudMedium> media = new ArrayList<>();
         for (int i = 0; i < clouds.size(); i++) {
-            media.add(CloudMedium.of(clouds.get(i), field(present(i, seconds), files.get(i), seconds)));
+            media.add(CloudMedium.of(clouds.get(i), field(present(i, seconds), seconds)));
         }
         return List.copyOf(media);
     }
@@ -164,7 +161,7 @@ public final class LoadedClouds {
     public double groundFraction(double seconds, Vec3 place, double sunSine, double groundAlbedo) {
         List<ExtinctionField> fields = new ArrayList<>();
         for (int i = 0; i < clouds.size(); i++) {
-            fields.add(CloudFields.flat(present(i, seconds), files.get(i), seconds, 0));
+            fields.add(present(i, seconds).flat(seconds, 0));
         }
         double mu = Math.max(LEAST_SUN_SINE, sunSine);
         double transmitted = 0;
@@ -174,7 +171,7 @@ public final class LoadedClouds {
             double x = place.x() + (n % COLUMNS_ACROSS - COLUMNS_ACROSS / 2) * COLUMN_SPACING_METRES;
             double z = place.z() + (n / COLUMNS_ACROSS - COLUMNS_ACROSS / 2) * COLUMN_SPACING_METRES;
             double depth = IntStream.range(0, fields.size())
-                    .mapToDouble(i -> isotropicDepth(clouds.get(i), fields.get(i), seconds, x, z))
+                    .mapToDouble(i -> isotropicDepth(loaded.get(i), fields.get(i), seconds, x, z))
                     .sum();
             double left = Math.exp(-depth / mu);
             transmitted += (2.0 / 3 + mu + (2.0 / 3 - mu) * left) / (4.0 / 3 + depth) / count;
@@ -184,23 +181,23 @@ public final class LoadedClouds {
     }
 
     /** Returns the vertical depth of a column of a cloud, as isotropic scattering of the same effect. */
-    private static double isotropicDepth(Cloud cloud, ExtinctionField field, double seconds, double x, double z) {
-        Aabb bounds = CloudFields.bounds(cloud, seconds);
+    private static double isotropicDepth(
+            CloudFields loaded, ExtinctionField field, double seconds, double x, double z) {
+        Aabb bounds = loaded.bounds(seconds);
         double base = bounds.minY();
         double row = (bounds.maxY() - base) / COLUMN_ROWS;
         double sum = 0;
         for (int j = 0; j < COLUMN_ROWS; j++) {
             sum += field.perMetre(x, base + (j + 0.5) * row, z) * row;
         }
-        return sum * (1 - cloud.albedo() * CloudOptics.of(cloud).meanCosine());
+        return sum
+                * (1 - loaded.cloud().albedo() * CloudOptics.of(loaded.cloud()).meanCosine());
     }
 
-    private ExtinctionField field(Cloud cloud, CloudFiles loaded, double seconds) {
+    private ExtinctionField field(CloudFields loaded, double seconds) {
         boolean isShell = isRound
-                && cloud.extent() instanceof Cloud.Extent.Layer
-                && !(cloud.density() instanceof Cloud.Density.Puffs);
-        return isShell
-                ? new ShellField(CloudFields.flat(cloud, loaded, seconds, ShellField.SLACK_METRES))
-                : CloudFields.flat(cloud, loaded, seconds, 0);
+                && loaded.cloud().extent() instanceof Cloud.Extent.Layer
+                && !(loaded.cloud().density() instanceof Cloud.Density.Puffs);
+        return isShell ? new ShellField(loaded.flat(seconds, ShellField.SLACK_METRES)) : loaded.flat(seconds, 0);
     }
 }

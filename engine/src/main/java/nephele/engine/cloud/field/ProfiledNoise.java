@@ -1,5 +1,6 @@
 package nephele.engine.cloud.field;
 
+import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.cloud.noise.EvolvingNoise;
 import nephele.engine.level.Cloud;
 import nephele.engine.math.Aabb;
@@ -28,7 +29,10 @@ public final class ProfiledNoise implements NoiseDensity {
     private static final double OUTSIDE_SLOPE = 1.6;
 
     private final HeightProfile profile;
-    private final NoiseLayouts noises;
+    private final EvolvingNoise shape;
+    private final EvolvingNoise detail;
+    private final EvolvingNoise bodies;
+    private final EvolvingNoise clusters;
     private final double coverage;
 
     /** Factor on the coverage by place; {@code null} for none. */
@@ -47,9 +51,18 @@ public final class ProfiledNoise implements NoiseDensity {
      * @param map {@code null} for none
      * @param bounds infinite in x and z for a layer
      */
-    ProfiledNoise(Cloud.Density.Noise noise, NoiseLayouts noises, PlanMap map, Aabb bounds) {
+    ProfiledNoise(
+            Cloud.Density.Noise noise,
+            CloudTables tables,
+            double evolutionSeconds,
+            double seconds,
+            PlanMap map,
+            Aabb bounds) {
         profile = HeightProfile.of(noise.profile(), noise.anvil());
-        this.noises = noises;
+        shape = EvolvingNoise.shape(noise, tables, evolutionSeconds, seconds);
+        detail = EvolvingNoise.detail(noise, tables, evolutionSeconds, seconds);
+        bodies = EvolvingNoise.bodies(noise, tables, evolutionSeconds, seconds);
+        clusters = EvolvingNoise.clusters(noise, tables, evolutionSeconds, seconds);
         coverage = noise.coverage();
         this.map = map;
         erosion = EROSION * noise.erosion();
@@ -63,11 +76,11 @@ public final class ProfiledNoise implements NoiseDensity {
     }
 
     public EvolvingNoise shape() {
-        return noises.shape();
+        return shape;
     }
 
     public EvolvingNoise detail() {
-        return noises.detail();
+        return detail;
     }
 
     /** Returns by how much detail can dent the surface, in the units of {@link #bodyDepth}. */
@@ -80,16 +93,15 @@ public final class ProfiledNoise implements NoiseDensity {
      * outside.
      */
     public double bodyDepth(double x, double z) {
-        double mixed = BODY_WEIGHT * noises.bodies().at(x, 0, z)
-                + CLUSTER_WEIGHT * noises.clusters().at(x, 0, z);
+        double mixed = BODY_WEIGHT * bodies.at(x, 0, z) + CLUSTER_WEIGHT * clusters.at(x, 0, z);
         double depth = uncut(fractionBelow(mixed), covered(x, z));
         return halfX == Double.POSITIVE_INFINITY ? depth : Math.min(depth, withinSides(x, z));
     }
 
     /** Returns an upper bound of {@link #bodyDepth} in a rectangle, given by its centre and half its sides. */
     public double greatestBodyDepth(double x, double z, double byX, double byZ) {
-        double mixed = BODY_WEIGHT * noises.bodies().greatest(x, 0, z, byX, 0, byZ)
-                + CLUSTER_WEIGHT * noises.clusters().greatest(x, 0, z, byX, 0, byZ);
+        double mixed = BODY_WEIGHT * bodies.greatest(x, 0, z, byX, 0, byZ)
+                + CLUSTER_WEIGHT * clusters.greatest(x, 0, z, byX, 0, byZ);
         double depth = uncut(
                 fractionBelow(mixed),
                 map == null ? coverage : coverage * map.greatest(x - byX, z - byZ, x + byX, z + byZ));
@@ -156,9 +168,9 @@ public final class ProfiledNoise implements NoiseDensity {
         if (!(inside > 0)) {
             return 0;
         }
-        inside -= profile.billows(height) * (1 - noises.shape().at(x, y, z));
+        inside -= profile.billows(height) * (1 - shape.at(x, y, z));
         if (erosion > 0 && inside > 0) {
-            inside -= erosion * eroding(noises.detail().at(x, y, z), height);
+            inside -= erosion * eroding(detail.at(x, y, z), height);
         }
         return inside > 0 ? profile.body(height) * Math.min(1, profile.sharpness(height) * inside) : 0;
     }
@@ -182,7 +194,7 @@ public final class ProfiledNoise implements NoiseDensity {
         if (!(inside > 0)) {
             return 0;
         }
-        inside -= profile.leastBillows(from, to) * (1 - noises.shape().greatest(x, y, z, halfX, halfY, halfZ));
+        inside -= profile.leastBillows(from, to) * (1 - shape.greatest(x, y, z, halfX, halfY, halfZ));
         return inside > 0
                 ? profile.greatestBody(from, to) * Math.min(1, profile.greatestSharpness(from, to) * inside)
                 : 0;

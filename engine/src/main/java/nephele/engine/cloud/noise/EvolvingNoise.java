@@ -1,5 +1,6 @@
 package nephele.engine.cloud.noise;
 
+import nephele.engine.level.Cloud;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 
@@ -8,10 +9,21 @@ import nephele.engine.math.Vec3;
  * another generation of the noise replaces by others. Between two generations a and b at angle φ of 0 to π/2 the value
  * is ½ + (a − ½) cos φ + (b − ½) sin φ, at least 0 and at most 1, which keeps the variance (Heitz and Neyret 2018,
  * "High-Performance By-Example Noise using a Histogram-Preserving Blending Operator", equation 2).
+ *
+ * <p>A cloud has up to four of them. Their periods are in rational proportions and their turns have rational cosines, so that
+ * the whole pattern repeats after {@link #PERIOD_FEATURES} features along x and z; it does not appear to, because no two of
+ * them repeat together before.
  */
 public final class EvolvingNoise {
     /** Generations after which the first one returns. */
     public static final int GENERATIONS = 1024;
+
+    /** Period of a cloud's pattern in features. */
+    public static final int PERIOD_FEATURES = 260 * CloudTables.SHAPE_CELLS;
+
+    private static final double DETAIL_PERIODS = 5.0 / 33;
+    private static final double BODY_PERIODS = 13.0 / 2;
+    private static final double CLUSTER_PERIODS = 20;
 
     private final PeriodicTable table;
     private final double periodMetres;
@@ -43,6 +55,63 @@ public final class EvolvingNoise {
         to = offset(seed, (long) whole + 1);
         weightFrom = Math.cos(angle);
         weightTo = Math.sin(angle);
+    }
+
+    /** Returns the billows of one feature of a cloud at a time. */
+    public static EvolvingNoise shape(
+            Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds) {
+        return new EvolvingNoise(
+                tables.shape(), period(noise), 1, 0, 4 * noise.seed(), generation(seconds, evolutionSeconds));
+    }
+
+    /** Returns the wisps and small billows of a cloud at a time. */
+    public static EvolvingNoise detail(
+            Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds) {
+        return new EvolvingNoise(
+                tables.detail(),
+                period(noise) * DETAIL_PERIODS,
+                1,
+                0,
+                4 * noise.seed() + 1,
+                generation(seconds, evolutionSeconds / 2));
+    }
+
+    /** Returns the bodies of a cloud in plan at a time. */
+    public static EvolvingNoise bodies(
+            Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds) {
+        return new EvolvingNoise(
+                tables.plan(),
+                period(noise) * BODY_PERIODS,
+                3.0 / 5,
+                4.0 / 5,
+                4 * noise.seed() + 2,
+                generation(seconds, evolutionSeconds * 4));
+    }
+
+    /** Returns the clusters of a cloud's bodies in plan at a time. */
+    public static EvolvingNoise clusters(
+            Cloud.Density.Noise noise, CloudTables tables, double evolutionSeconds, double seconds) {
+        return new EvolvingNoise(
+                tables.plan(),
+                period(noise) * CLUSTER_PERIODS,
+                5.0 / 13,
+                12.0 / 13,
+                4 * noise.seed() + 3,
+                generation(seconds, evolutionSeconds * 16));
+    }
+
+    private static double period(Cloud.Density.Noise noise) {
+        return CloudTables.SHAPE_CELLS * noise.featureMetres();
+    }
+
+    /** Returns the generation at a time, a multiple of the generations' number nearer to 0 than that. */
+    private static double generation(double seconds, double secondsEach) {
+        double all = GENERATIONS * secondsEach;
+        if (!(secondsEach > 0) || !Double.isFinite(seconds)) {
+            return 0;
+        }
+        double into = seconds % all;
+        return (into < 0 ? into + all : into) / secondsEach;
     }
 
     private static double[] offset(long seed, long generation) {
