@@ -11,7 +11,7 @@ uniform vec3 detailComing;
 uniform vec4 generations; // weights of the fading and the coming generation, of shape and of detail
 uniform float eroding;
 
-const float KNOTS = java(cloud.field.HeightProfile.KNOTS);
+const float KNOTS = java(cloud.field.ProfiledNoise.KNOTS);
 const float WISPS_TO = java(cloud.field.ProfiledNoise.WISPS_TO);
 
 float evolved(sampler3D table, vec3 metres, vec4 fading, vec3 coming, vec2 weights) {

@@ -6,7 +6,6 @@ import java.util.List;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
-import nephele.engine.cloud.field.HeightProfile;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.noise.EvolvingNoise;
@@ -130,10 +129,10 @@ public final class VolumeTechnique implements CloudDrawing {
                     "cloud profile",
                     Texture.Shape.FLAT,
                     PixelFormat.RGBA32F,
-                    Texture.Extent.flat(HeightProfile.KNOTS, 1),
+                    Texture.Extent.flat(ProfiledNoise.KNOTS, 1),
                     Sampling.LINEAR_CLAMP));
-            ByteBuffer knots = MemoryUtil.memAlloc(Float.BYTES * 4 * HeightProfile.KNOTS);
-            knots.asFloatBuffer().put(noise.profile().knots());
+            ByteBuffer knots = MemoryUtil.memAlloc(Float.BYTES * 4 * ProfiledNoise.KNOTS);
+            knots.asFloatBuffer().put(noise.profile());
             profile.upload(0, knots);
             MemoryUtil.memFree(knots);
             plan = context.own(new Texture(
