@@ -153,9 +153,10 @@ public final class CloudPass implements Pass {
                         context -> new CloudPass(context, techniques)));
     }
 
+    /** Builds the drawings, while techniques change those of all its stages. */
     private void addDrawings(CloudContext inPass) {
         TechniqueFade fade = levelClouds.fade();
-        List<PassingStage> stages = fade.isComplete() ? List.of() : stages(context, fade);
+        List<PassingStage> stages = fade.isComplete() ? List.of() : stages(fade);
         for (PlacedCloud cloud : clouds) {
             if (stages.isEmpty()) {
                 entries.add(remaining(cloud, List.of(fade.techniques()), inPass));
@@ -165,8 +166,8 @@ public final class CloudPass implements Pass {
         }
     }
 
-    private List<PassingStage> stages(LoadContext load, TechniqueFade fade) {
-        passing = load.ownedBy(load.own(new OwnedObjects(load.gl())));
+    private List<PassingStage> stages(TechniqueFade fade) {
+        passing = context.ownedBy(context.own(new OwnedObjects(gl)));
         List<PassingStage> stages = new ArrayList<>();
         for (TechniqueFade.Stage stage : fade.stages()) {
             boolean remains = stage.techniques().equals(fade.techniques());
@@ -181,7 +182,7 @@ public final class CloudPass implements Pass {
     }
 
     /** Adds a drawing for each run of stages in which the cloud has one technique. */
-    private void addRuns(PlacedCloud cloud, List<PassingStage> stages, CloudContext context) {
+    private void addRuns(PlacedCloud cloud, List<PassingStage> stages, CloudContext inPass) {
         int first = 0;
         while (first < stages.size()) {
             int end = first + 1;
@@ -194,8 +195,8 @@ public final class CloudPass implements Pass {
             boolean remains = runTechniques.contains(levelClouds.fade().techniques());
             entries.add(
                     remains
-                            ? remaining(cloud, runTechniques, context)
-                            : passing(cloud, run.get(0), runTechniques, context));
+                            ? remaining(cloud, runTechniques, inPass)
+                            : passing(cloud, run.get(0), runTechniques, inPass));
             first = end;
         }
     }
@@ -209,21 +210,21 @@ public final class CloudPass implements Pass {
     }
 
     private Entry passing(
-            PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext context) {
+            PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext inPass) {
         var before = new PlacedCloud(source(stage, cloud), cloud.index());
-        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, context.ranges());
+        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, inPass.ranges());
         CloudDrawing drawing = drawn(before.source()).build().apply(own, before);
         return new Entry(before, stage.clouds, stages, drawing, null);
     }
 
-    private Entry remaining(PlacedCloud cloud, List<List<CloudTechnique>> stages, CloudContext context) {
+    private Entry remaining(PlacedCloud cloud, List<List<CloudTechnique>> stages, CloudContext inPass) {
         CloudDrawing.Technique technique = drawn(cloud.source());
-        CloudDrawing drawing = technique.build().apply(context, cloud);
+        CloudDrawing drawing = technique.build().apply(inPass, cloud);
         // Flashes light the cells of a cloud whatever draws it, by the technique for auto.
         CloudDrawing.Technique marched = techniques.get(0);
         CloudDrawing flashed = flash == null
                 ? null
-                : technique == marched ? drawing : marched.build().apply(context, cloud);
+                : technique == marched ? drawing : marched.build().apply(inPass, cloud);
         return new Entry(cloud, levelClouds.current(), stages, drawing, flashed);
     }
 
