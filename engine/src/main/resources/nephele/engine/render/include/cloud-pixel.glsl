@@ -40,8 +40,8 @@ uniform sampler2D viewDepth;
 #endif
 
 #ifdef SHARED
-uniform float cloudShare; // of the optical depth that is drawn
-const float THINNEST = 1e-7; // share of light that passes; smaller ones are lost in its difference to 1
+uniform float cloudFraction; // of the optical depth that is drawn
+const float THINNEST = 1e-7; // fraction of light that passes; smaller ones are lost in its difference to 1
 #endif
 
 struct CloudPixel {
@@ -113,8 +113,8 @@ CloudPixel cloudPixel() {
 // Writes the light of a cloud, premultiplied, with air and fog before it. metres: where its visible part is
 void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
 #ifdef SHARED
-    if (cloudShare < 1.0) {
-        float part = covered < 1e-3 ? cloudShare : (1.0 - pow(max(1.0 - covered, THINNEST), cloudShare)) / covered;
+    if (cloudFraction < 1.0) {
+        float part = covered < 1e-3 ? cloudFraction : (1.0 - pow(max(1.0 - covered, THINNEST), cloudFraction)) / covered;
         radiance *= part;
         covered *= part;
     }

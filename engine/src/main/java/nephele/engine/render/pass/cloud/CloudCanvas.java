@@ -96,7 +96,7 @@ public final class CloudCanvas {
             uniforms.capturedPlane().set(grid.planeMetres);
             uniforms.blown().set(cloud.blown(grid.secondsBefore));
         }
-        uniforms.cloudShare().set(cloud.fractionDrawn());
+        uniforms.cloudFraction().set(cloud.fractionDrawn());
         if (pixels == CloudPixels.MIXED) {
             ranges.put(uniforms.ranges(), view);
         } else if (pixels == CloudPixels.BOLT) {

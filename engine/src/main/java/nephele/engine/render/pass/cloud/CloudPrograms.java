@@ -82,7 +82,7 @@ public final class CloudPrograms<U extends Record> {
             @IfRead Vector3 marchedSquare,
             @IfRead Vector3 blown,
             @IfRead Scalar capturedPlane,
-            @IfRead Scalar cloudShare,
+            @IfRead Scalar cloudFraction,
             @IfRead Vector3 boltFromEye,
             @IfRead List<Vector4> flashLights,
             @IfRead Vector3 flashIntensity,

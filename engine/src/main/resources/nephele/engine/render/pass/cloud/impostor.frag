@@ -1,7 +1,7 @@
 // The picture of a slab of a cloud that was captured from an eye nearby, where its plane is.
 #include "cloud-pixel.glsl"
 
-uniform sampler2D impostor; // rgb: radiance, premultiplied; a: share of light that passes
+uniform sampler2D impostor; // rgb: radiance, premultiplied; a: fraction of light that passes
 uniform sampler2D impostorPlaces; // r: metres behind the plane, times coverage; g: coverage
 uniform vec3 slabRight;
 uniform vec3 slabUp;

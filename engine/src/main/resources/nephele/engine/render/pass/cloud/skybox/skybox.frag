@@ -10,7 +10,7 @@ uniform vec2 skyHalf[2]; // half the width and height of a face at distance 1
 uniform vec4 skyWind[2]; // xyz: how far the wind has carried the cloud since it was baked; w: distance at which it is taken to
                          // be, 0 for the middle of a layer; metres
 uniform vec3 skyLayer; // x: height of a layer's middle over the bake point; yz: planet of spanInside
-uniform float fade; // share of the faces, the rest is of those before
+uniform float fade; // weight of the faces, the rest is of those before
 
 #ifdef WHOLE
 const float ENDLESS_KILOMETRES = 10000.0; // at which wind and steps of the eye are nothing: the layer before is looked up by direction

@@ -21,12 +21,12 @@ vec3 smoothed(vec2 across, float layer) {
     vec2 next = 1.0 - before - after - at;
     vec2 low = (base - 0.5 + at / (before + at)) / size;
     vec2 high = (base + 1.5 + after / (next + after)) / size;
-    vec2 share = next + after;
+    vec2 weight = next + after;
     vec3 a = textureLod(sheetColumns, vec3(low, layer), 0.0).rgb;
     vec3 b = textureLod(sheetColumns, vec3(high.x, low.y, layer), 0.0).rgb;
     vec3 c = textureLod(sheetColumns, vec3(low.x, high.y, layer), 0.0).rgb;
     vec3 d = textureLod(sheetColumns, vec3(high, layer), 0.0).rgb;
-    return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
+    return mix(mix(a, b, weight.x), mix(c, d, weight.x), weight.y);
 }
 
 vec3 columnOf(vec3 place, float box) {
