@@ -50,6 +50,14 @@ public final class ReferenceOptions {
     private Long seed;
 
     @Option(
+            names = "--bounces",
+            paramLabel = "N",
+            description = "The most surfaces that light of --reference meets before the one that is seen; 0 for direct"
+                    + " light (default: as many as there are).")
+    @OptionRange.Whole(least = 0, most = TraceSettings.ALL_BOUNCES)
+    private Integer bounces;
+
+    @Option(
             names = "--error",
             paramLabel = "E.pfm",
             description = "Also write the standard error of each value of --reference, from 32 batches of samples.")
@@ -71,8 +79,8 @@ public final class ReferenceOptions {
     private List<Path> parts;
 
     void check(Path out) {
-        if (!reference && (samples != null || seed != null || shard != null)) {
-            throw CommandFailure.usage("--spp, --seed and --shard belong to --reference");
+        if (!reference && (samples != null || seed != null || shard != null || bounces != null)) {
+            throw CommandFailure.usage("--spp, --seed, --shard and --bounces belong to --reference");
         }
         if (isMerge() && reference) {
             throw CommandFailure.usage("--merge puts together what is traced; leave --reference out");
@@ -173,7 +181,8 @@ public final class ReferenceOptions {
                 picture.size().height(),
                 picture.choice().showsIds() ? 1 : samples(),
                 seed == null ? 1 : seed,
-                Runtime.getRuntime().availableProcessors());
+                Runtime.getRuntime().availableProcessors(),
+                bounces(picture));
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
         var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = TracedPictures.pinhole(seen.view);
@@ -191,6 +200,13 @@ public final class ReferenceOptions {
             writeError(traced);
             WrittenFile.write(part.file(), file -> part.forget());
         }
+    }
+
+    private int bounces(PictureOptions picture) {
+        if (picture.choice().showsIds()) {
+            return 0;
+        }
+        return bounces == null ? TraceSettings.ALL_BOUNCES : bounces;
     }
 
     private Path partFile(Path out) {

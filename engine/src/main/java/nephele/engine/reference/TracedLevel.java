@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import nephele.engine.asset.AssetSource;
@@ -33,6 +34,7 @@ public final class TracedLevel {
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
+    private final EmissiveFaces emissive;
     private final ExitLight exits;
 
     private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
@@ -50,6 +52,7 @@ public final class TracedLevel {
         looks = new TracedShape.SurfaceAppearance(
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         mirrors = ReflectingFaces.of(statics.solids(), textures);
+        emissive = new EmissiveFaces(statics.solids(), textures);
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
@@ -84,8 +87,29 @@ public final class TracedLevel {
         return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
-    Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new Shafts.ShadowRays(rays, shafts));
+    /** @param bounces the greatest number of surfaces before the one that the eye sees */
+    Tracer tracer(Pinhole eye, int bounces) {
+        var shadows = new Shafts.ShadowRays(rays, shafts);
+        PathIntegrator bounced = bounces == 0
+                ? null
+                : new PathIntegrator(
+                        this,
+                        new EyePath(rays, Portals.NONE, mirrors),
+                        shadows,
+                        cloudSight().orElse(null),
+                        bounces);
+        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), shadows, bounced);
+    }
+
+    EmissiveFaces emissiveFaces() {
+        return emissive;
+    }
+
+    /** Returns the density per square metre with which the emissive face at a path's end is chosen as a source. */
+    double emissiveDensity(EyePath path) {
+        return rays.isSolid(path.item())
+                ? emissive.density(path.item(), ((TracedSolid) rays.shape(path.item())).face(path.ray()))
+                : 0;
     }
 
     public boolean hasClouds() {
@@ -204,5 +228,50 @@ public final class TracedLevel {
                                 segment.direction().y(),
                                 metres)
                 : radiance;
+    }
+
+    /** Returns radiance of the place at a path's end as it arrives at its beginning, through air, fog and mirrors. */
+    Vector3d arriving(Vector3d radiance, Vec3 place, EyePath path, SplittableRandom random) {
+        Vector3d seen = throughAir(radiance, place, path, random);
+        return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
+    }
+
+    /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
+    Vector3d transmittance(Vec3 place, EyePath path) {
+        EyePath.Segment last = path.lastSegment();
+        return airTransmittance(place, last.direction(), path.metres())
+                .mul(fogTransmittance(last, path.metres()))
+                .mul(path.tint());
+    }
+
+    /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
+    Vector3d fromSky(double eyeHeight, EyePath path, SplittableRandom random) {
+        Vector3d seen = sky(eyeHeight, path, random);
+        Vector3d radiance = throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
+        return mirrored(radiance, path.tint(), path.reflected());
+    }
+
+    /** Returns the radiance of a cloud's collision as it arrives along a path. */
+    Vector3d fromCloud(CloudSight.Met cloud, CloudSight clouds, EyePath path, SplittableRandom random) {
+        Vec3 place = cloud.ray().at(cloud.collision().metres());
+        Vector3d scattered = clouds.radiance(cloud, random);
+        Vector3d seen = throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), random);
+        Vector3d radiance = throughFog(seen, cloud.segment(), cloud.metres());
+        List<EyePath.Reflected> before = path.reflected().stream()
+                .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
+                .toList();
+        return mirrored(radiance, cloud.segment().tint(), before);
+    }
+
+    /**
+     * Applies the mirrors to radiance that has passed all the fog: the fog in front of a mirror is not tinted by it.
+     */
+    private Vector3d mirrored(Vector3d radiance, Vector3dc tint, List<EyePath.Reflected> mirrors) {
+        radiance.mul(tint);
+        for (EyePath.Reflected mirror : mirrors) {
+            radiance.add(
+                    throughFog(new Vector3d(), mirror.before(), mirror.metres()).mul(mirror.lost()));
+        }
+        return radiance;
     }
 }

@@ -70,7 +70,7 @@ public record Brdf(
     }
 
     /** Returns the GGX distribution (Walter et al. 2007, equation 33). */
-    double distribution(double nDotH) {
+    public double distribution(double nDotH) {
         double d = Math.max(1 - nDotH * nDotH * (1 - alpha2), 1e-6);
         return alpha2 / (Math.PI * d * d);
     }
