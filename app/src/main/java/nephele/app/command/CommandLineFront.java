@@ -84,6 +84,7 @@ public final class CommandLineFront {
                 .setExpandAtFiles(false)
                 .registerConverter(Path.class, CommandLineFront::path)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
+                .registerConverter(ReferenceOptions.Switch.class, new WordConverter<>(ReferenceOptions.Switch.class))
                 .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
         commandLine
                 .getCommandSpec()

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.reference.LightTransport;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
@@ -54,8 +55,14 @@ public final class ReferenceOptions {
             paramLabel = "N",
             description = "The most surfaces that light of --reference meets before the one that is seen; 0 for direct"
                     + " light (default: as many as there are).")
-    @OptionRange.Whole(least = 0, most = TraceSettings.ALL_BOUNCES)
+    @OptionRange.Whole(least = 0, most = Integer.MAX_VALUE)
     private Integer bounces;
+
+    @Option(
+            names = "--portal-light",
+            paramLabel = "on|off",
+            description = "Whether light of --reference passes open portals, as eyes do (default: on).")
+    private Switch portalLight;
 
     @Option(
             names = "--error",
@@ -79,8 +86,9 @@ public final class ReferenceOptions {
     private List<Path> parts;
 
     void check(Path out) {
-        if (!reference && (samples != null || seed != null || shard != null || bounces != null)) {
-            throw CommandFailure.usage("--spp, --seed, --shard and --bounces belong to --reference");
+        if (!reference
+                && (samples != null || seed != null || shard != null || bounces != null || portalLight != null)) {
+            throw CommandFailure.usage("--spp, --seed, --shard, --bounces and --portal-light belong to --reference");
         }
         if (isMerge() && reference) {
             throw CommandFailure.usage("--merge puts together what is traced; leave --reference out");
@@ -182,7 +190,7 @@ public final class ReferenceOptions {
                 picture.choice().showsIds() ? 1 : samples(),
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors(),
-                bounces(picture));
+                transport(picture));
         var shown = at(picture.choice().shown(seen.opened), seen.seconds);
         var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
         var eye = TracedPictures.pinhole(seen.view);
@@ -202,11 +210,18 @@ public final class ReferenceOptions {
         }
     }
 
-    private int bounces(PictureOptions picture) {
+    private LightTransport transport(PictureOptions picture) {
         if (picture.choice().showsIds()) {
-            return 0;
+            return LightTransport.DIRECT;
         }
-        return bounces == null ? TraceSettings.ALL_BOUNCES : bounces;
+        int most = bounces == null ? LightTransport.FULL.bounces() : bounces;
+        return new LightTransport(most, portalLight != Switch.OFF);
+    }
+
+    /** Values of an option, in lower case on the command line. */
+    enum Switch {
+        ON,
+        OFF
     }
 
     private Path partFile(Path out) {

@@ -100,6 +100,23 @@ final class Illumination {
         return surface.reflected(all, all);
     }
 
+    boolean sunCastsShadow() {
+        return sun != null && sun.castsShadow();
+    }
+
+    /** Returns the unit direction; meaningless without a sun. */
+    Vector3dc towardsSun() {
+        return towardsSun;
+    }
+
+    Vector3d sunIrradiance() {
+        return sun.irradiance().toVector();
+    }
+
+    List<PunctualLight> lamps() {
+        return lights;
+    }
+
     /** Returns true if the sky is a light: the level has no constant ambient light in its place. */
     boolean isSkyLight() {
         return ambient == null;

@@ -19,21 +19,24 @@ final class PathIntegrator {
     private final TracedLevel level;
     private final EyePath path;
     private final Shafts.ShadowRays shadows;
+    /** {@code null} without clouds. */
     private final CloudSight clouds;
+    /** {@code null} if light passes no portals. */
+    private final LightThroughPortals throughPortals;
+
     private final int mostBounces;
     private final Vector3d weight = new Vector3d();
     private final Vector3d sum = new Vector3d();
 
-    /**
-     * @param path finds the surfaces, without portals
-     * @param clouds {@code null} without clouds
-     */
-    PathIntegrator(TracedLevel level, EyePath path, Shafts.ShadowRays shadows, CloudSight clouds, int mostBounces) {
+    PathIntegrator(TracedLevel level, LightTransport transport, Shafts.ShadowRays shadows) {
         this.level = level;
-        this.path = path;
         this.shadows = shadows;
-        this.clouds = clouds;
-        this.mostBounces = mostBounces;
+        mostBounces = transport.bounces();
+        path = level.path(transport.passesPortals());
+        clouds = level.cloudSight().orElse(null);
+        throughPortals = transport.passesPortals()
+                ? new LightThroughPortals(level.portals(), level.path(true), level.light())
+                : null;
     }
 
     /** Returns a random RGB radiance whose mean is what leaves the surface towards the eye. */
@@ -45,6 +48,9 @@ final class PathIntegrator {
         for (int bounce = 0; surface != null; bounce++) {
             addReflected(level.light().direct(surface, shadows, sample));
             boolean isLast = bounce == mostBounces;
+            if (throughPortals != null) {
+                addReflected(throughPortals.radiance(surface, random));
+            }
             addEmissiveFace(surface, isLast, random);
             surface = isLast ? null : next(surface, bounce, sample);
         }
@@ -118,10 +124,10 @@ final class PathIntegrator {
         return met(surface, density, sample.random());
     }
 
-    /** Adds the sky at the end of the path, as its place sees it. */
+    /** Adds the sky at the end of the path, without the sun's disc, which next-event estimation stands for. */
     private void addSky(SplittableRandom random) {
         if (level.light().isSkyLight()) {
-            addReflected(level.fromSky(path.lastSegment().origin().y(), path, random));
+            addReflected(level.fromSky(path, random));
         }
     }
 
@@ -154,7 +160,7 @@ final class PathIntegrator {
 
     /** Returns the share of emission that the path itself counts, after the share of {@link #addEmissiveFace}. */
     private double emissionShare(SurfacePoint from, SurfacePoint surface, double density) {
-        double perSquareMetre = path.reflected().isEmpty() ? level.emissiveDensity(path) : 0;
+        double perSquareMetre = path.pathHash() == 0 ? level.emissiveDensity(path) : 0;
         double cosine = surface.faceNormal().dot(surface.toEye());
         if (perSquareMetre == 0 || cosine <= 0) {
             return 1;

@@ -8,21 +8,17 @@ import nephele.engine.reference.tile.PixelTiles;
  * @param width pixels, {@code height} likewise; all numbers but the seed are at least 1
  * @param samples rays per pixel; a single one passes through its centre, as a rasteriser's does
  * @param seed of the pattern that the rays of a pixel form
- * @param bounces the greatest number of surfaces that light meets before the one that the eye sees; 0 for direct light
  */
-public record TraceSettings(int width, int height, int samples, long seed, int threads, int bounces) {
-    /** As many bounces as light has: what is left of its path is decided by Russian roulette alone. */
-    public static final int ALL_BOUNCES = Integer.MAX_VALUE;
-
+public record TraceSettings(int width, int height, int samples, long seed, int threads, LightTransport light) {
     public TraceSettings {
-        if (width < 1 || height < 1 || samples < 1 || threads < 1 || bounces < 0) {
+        if (width < 1 || height < 1 || samples < 1 || threads < 1) {
             throw new IllegalArgumentException("a picture needs pixels, samples and a thread");
         }
     }
 
     /** Settings for direct light. */
     public TraceSettings(int width, int height, int samples, long seed, int threads) {
-        this(width, height, samples, seed, threads, 0);
+        this(width, height, samples, seed, threads, LightTransport.DIRECT);
     }
 
     /** Returns the division of the picture into tiles. */

@@ -17,6 +17,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.reference.sky.LevelClouds;
 import nephele.engine.reference.sky.SkyCover;
+import nephele.engine.reference.sky.SunDisc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -35,6 +36,7 @@ public final class TracedLevel {
     private final Portals portals;
     private final ReflectingFaces mirrors;
     private final EmissiveFaces emissive;
+    private final Optional<SunDisc> disc;
     private final ExitLight exits;
 
     private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
@@ -53,6 +55,7 @@ public final class TracedLevel {
                 new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         mirrors = ReflectingFaces.of(statics.solids(), textures);
         emissive = new EmissiveFaces(statics.solids(), textures);
+        disc = SunDisc.of(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
@@ -87,18 +90,20 @@ public final class TracedLevel {
         return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
-    /** @param bounces the greatest number of surfaces before the one that the eye sees */
-    Tracer tracer(Pinhole eye, int bounces) {
+    Tracer tracer(Pinhole eye, LightTransport transport) {
         var shadows = new Shafts.ShadowRays(rays, shafts);
-        PathIntegrator bounced = bounces == 0
-                ? null
-                : new PathIntegrator(
-                        this,
-                        new EyePath(rays, Portals.NONE, mirrors),
-                        shadows,
-                        cloudSight().orElse(null),
-                        bounces);
+        PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
         return new Tracer(this, eye, new EyePath(rays, portals, mirrors), shadows, bounced);
+    }
+
+    /** Returns a finder of paths for one thread. */
+    EyePath path(boolean passesPortals) {
+        return new EyePath(rays, passesPortals ? portals : Portals.NONE, mirrors);
+    }
+
+    /** Returns the portals that light passes. */
+    Portals portals() {
+        return portals;
     }
 
     EmissiveFaces emissiveFaces() {
@@ -245,10 +250,23 @@ public final class TracedLevel {
     }
 
     /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
-    Vector3d fromSky(double eyeHeight, EyePath path, SplittableRandom random) {
-        Vector3d seen = sky(eyeHeight, path, random);
+    Vector3d fromSky(EyePath path, SplittableRandom random) {
+        Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
         Vector3d radiance = throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
         return mirrored(radiance, path.tint(), path.reflected());
+    }
+
+    /** Returns the radiance of the sun's disc as it arrives along a path that ends at nothing. */
+    Vector3d fromSunDisc(EyePath path) {
+        if (disc.isEmpty()) {
+            return new Vector3d();
+        }
+        EyePath.Segment last = path.lastSegment();
+        Vector3d away = last.direction().toVector();
+        return disc.get()
+                .radiance(last.origin().y(), away)
+                .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
+                .mul(path.tint());
     }
 
     /** Returns the radiance of a cloud's collision as it arrives along a path. */

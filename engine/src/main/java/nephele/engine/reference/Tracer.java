@@ -36,9 +36,13 @@ final class Tracer {
             level.exits().addTo(radiance, path, cloud.metres(), level);
             return radiance;
         }
-        Vector3d radiance = isMet ? fromSurface(sample) : level.fromSky(from.y(), path, sample.random());
+        Vector3d radiance = isMet ? fromSurface(sample) : fromSky(sample);
         level.exits().addTo(radiance, path, Double.POSITIVE_INFINITY, level);
         return radiance;
+    }
+
+    private Vector3d fromSky(PixelSample sample) {
+        return level.fromSky(path, sample.random()).add(level.fromSunDisc(path));
     }
 
     private Vector3d fromSurface(PixelSample sample) {

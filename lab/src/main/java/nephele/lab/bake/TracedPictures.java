@@ -48,7 +48,7 @@ public record TracedPictures(Path folder, String code) {
         String size = settings.width() + "x" + settings.height();
         long key = Hash64.of(
                 String.join(" ", code, level, size, settings.samples() + "/" + settings.seed(), eye.toString())
-                        + bounced(settings));
+                        + settings.light().key());
         Path file = folder.resolve("oracle-" + Long.toHexString(key) + ".pfm");
         try {
             if (!Files.exists(file)) {
@@ -121,13 +121,8 @@ public record TracedPictures(Path folder, String code) {
                 "camera", eye.toString(),
                 "samples", Integer.toString(settings.samples()),
                 "seed", Long.toString(settings.seed()),
-                "colours", kind + bounced(settings),
+                "colours", kind + settings.light().key(),
                 "tracer", Integer.toString(ReferencePicture.VERSION));
-    }
-
-    /** Returns what tells pictures with bounces from those of direct light, which are named as before there were any. */
-    private static String bounced(TraceSettings settings) {
-        return settings.bounces() == 0 ? "" : " bounces " + settings.bounces();
     }
 
     /** Converts a view of the engine to the reference tracer's pinhole camera. */
