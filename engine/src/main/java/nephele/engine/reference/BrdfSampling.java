@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.Reflectance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -27,7 +28,7 @@ final class BrdfSampling {
 
     /** An eye below the plane of the shading normal sees no microfacet that the lobe's formula describes. */
     private static double specularProbability(SurfacePoint surface) {
-        Brdf gloss = surface.gloss();
+        Reflectance gloss = surface.gloss();
         if (gloss == null || surface.normal().dot(surface.toEye()) < Brdf.MIN_N_DOT_V) {
             return 0;
         }
@@ -79,7 +80,7 @@ final class BrdfSampling {
     }
 
     private double lobeDensity(Vector3dc towards) {
-        Brdf gloss = surface.gloss();
+        Reflectance gloss = surface.gloss();
         Vector3d half = new Vector3d(towards).add(surface.toEye());
         double length = half.length();
         if (length == 0) {
@@ -88,6 +89,6 @@ final class BrdfSampling {
         double normalCosine = surface.normal().dot(half) / length;
         double eyeCosine = surface.normal().dot(surface.toEye());
         double smith = eyeCosine + Math.sqrt(gloss.alpha2() + (1 - gloss.alpha2()) * eyeCosine * eyeCosine);
-        return normalCosine <= 0 ? 0 : gloss.distribution(normalCosine) / (2 * smith);
+        return normalCosine <= 0 ? 0 : Reflectance.distribution(gloss.alpha2(), normalCosine) / (2 * smith);
     }
 }

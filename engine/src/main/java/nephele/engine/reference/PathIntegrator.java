@@ -44,7 +44,7 @@ final class PathIntegrator {
         SplittableRandom random = sample.random();
         weight.set(1);
         sum.set(0).add(emission(seen)).add(level.light().constantAmbient(seen));
-        SurfacePoint surface = seen;
+        SurfacePoint surface = seen.reciprocal();
         for (int bounce = 0; surface != null; bounce++) {
             addReflected(level.light().direct(surface, shadows, sample));
             boolean isLast = bounce == mostBounces;
@@ -148,7 +148,8 @@ final class PathIntegrator {
     /** Returns the surface at the end of the path, after its emission and that of the air before it are added. */
     private SurfacePoint met(SurfacePoint from, double density, SplittableRandom random) {
         Vec3 place = path.ray().at(path.end());
-        SurfacePoint surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1));
+        SurfacePoint surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
+                .reciprocal();
         addReflected(level.arriving(new Vector3d(), place, path, random));
         weight.mul(level.transmittance(place, path));
         Vector3d emission = emission(surface);
