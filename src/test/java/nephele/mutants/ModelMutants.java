@@ -32,7 +32,7 @@ final class ModelMutants {
             new Mutant(
                     MODEL,
                     "every second triangle of a strip is inside out",
-                    ENGINE + "model/file/GltfTriangles.java",
+                    ENGINE + "model/file/GltfScene.java",
                     "mirrored != odd",
                     "mirrored",
                     "GltfFileTest"),

@@ -166,7 +166,7 @@ final class PictureMutants {
             new Mutant(
                     CULLING,
                     "mirrored models show their insides",
-                    SCENES + "java/nephele/scenes/fixed/SceneOnGpu.java",
+                    SCENES + "java/nephele/scenes/fixed/ModelOrder.java",
                     "? Cull.FRONT : Cull.BACK",
                     "? Cull.BACK : Cull.BACK",
                     "FixedSceneGlTest"),

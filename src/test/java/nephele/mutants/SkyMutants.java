@@ -42,15 +42,15 @@ final class SkyMutants {
                     CLOUD,
                     "the greatest density of a block leaves out its last row",
                     ENGINE + "cloud/field/PlanMap.java",
-                    "return maxima.greatest(firstI, firstK, lastI, lastK);",
-                    "return maxima.greatest(firstI, firstK, lastI, firstK);",
+                    "return greatestOfBlocks(firstI, firstK, lastI, lastK);",
+                    "return greatestOfBlocks(firstI, firstK, lastI, firstK);",
                     "PlanMapTest"),
             new Mutant(
                     CLOUD,
                     "a layer of clouds drifts up with the wind",
-                    ENGINE + "cloud/field/CloudMoment.java",
-                    "var along = new Vec3(drift.x(), 0, drift.z());",
-                    "var along = drift;",
+                    ENGINE + "cloud/field/CloudFields.java",
+                    "drift = new Vec3(drifted.x(), 0, drifted.z());",
+                    "drift = drifted;",
                     "CloudMotionTest"),
             new Mutant(
                     CLOUD,
@@ -82,10 +82,10 @@ final class SkyMutants {
                     "StackSpanTest"),
             new Mutant(
                     CLOUD,
-                    "the mean light of a beam between two depths is that of its end",
+                    "a beam that is scattered forwards loses all that is scattered",
                     ENGINE + "cloud/light/BeamLight.java",
-                    "Math.exp(-(from + to) / 2)",
-                    "Math.exp(-to)",
+                    "1 - optics.albedo() * fraction",
+                    "1",
                     "BeamLightTest"),
             new Mutant(
                     CLOUD,
@@ -189,8 +189,8 @@ final class SkyMutants {
                     SKY,
                     "half of the sun on the horizon sends all of its light",
                     ENGINE + "atmosphere/SunOverLimb.java",
-                    "double share = 0.5 + (d * half + angle) / Math.PI;",
-                    "double share = 1;",
+                    "double fraction = 0.5 + (d * half + angle) / Math.PI;",
+                    "double fraction = 1;",
                     "SunOverLimbTest"));
 
     private SkyMutants() {}

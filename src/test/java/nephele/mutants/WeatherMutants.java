@@ -50,8 +50,8 @@ final class WeatherMutants {
                     LIGHT,
                     "a thick cloud does not see another one's shade",
                     ENGINE + "cloud/cells/ThickCloudLight.java",
-                    "share * Math.exp(-medium.depthFactor() * shades[i])",
-                    "share",
+                    "fraction * Math.exp(-medium.depthFactor() * shades[i])",
+                    "fraction",
                     "ThickCloudLightTest"),
             new Mutant(
                     LEVEL,

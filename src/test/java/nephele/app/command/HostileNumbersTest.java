@@ -182,7 +182,7 @@ class HostileNumbersTest {
     /** A place on the command line may be wherever a level's may. */
     @Test
     void placesHaveTheRangeOfALevelsCoordinates() throws NoSuchMethodException {
-        assertEquals(Range.class.getMethod("max").getDefaultValue(), NumberList.MOST);
-        assertEquals(Range.class.getMethod("min").getDefaultValue(), -NumberList.MOST);
+        assertEquals(Range.class.getMethod("max").getDefaultValue(), OptionValues.MOST);
+        assertEquals(Range.class.getMethod("min").getDefaultValue(), -OptionValues.MOST);
     }
 }

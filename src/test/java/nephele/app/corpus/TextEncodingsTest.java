@@ -37,7 +37,7 @@ class TextEncodingsTest {
             "StartProfile.java",
             "Provenance.java",
             "JvmVariant.java",
-            "ReplayProcess.java",
+            "JitMatrixProof.java",
             "EditorOpenSaveProof.java",
             "ComparedLevel.java");
 

@@ -145,7 +145,7 @@ class CampaignSwingTest {
 
     /** Returns the middle of the first entry of the page after a level. */
     private static int firstEntry() {
-        var entries = Collections.nCopies(5, new Entry("entry", new Choice.Quit()));
+        var entries = Collections.nCopies(5, new Entry("entry", Choice.Plain.QUIT));
         var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, 0, null, "");
         var panel = new MenuPanel(menu, new Area(640, 360));
         int top = 0;

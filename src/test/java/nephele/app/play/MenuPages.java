@@ -22,7 +22,7 @@ import nephele.engine.render.Capture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
@@ -119,10 +119,10 @@ final class MenuPages {
         Path out = Files.createDirectories(Path.of(arguments[0]));
         String word = arguments.length > 1 ? arguments[1] : "";
         MenuPages pages = new MenuPages(Files.createTempDirectory("pages"));
-        Lettering lettering = new Lettering();
-        Hud hud = new Hud(lettering);
+        FontAtlas letters = new FontAtlas();
+        Hud hud = new Hud(letters);
         try (var gl = GlContext.offscreen();
-                var overlay = new OverlayPass(gl, lettering)) {
+                var overlay = new OverlayPass(gl, letters)) {
             for (int[] window :
                     arguments.length > 2 ? new int[][] {WINDOWS[Integer.parseInt(arguments[2])]} : WINDOWS) {
                 try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, window[0], window[1])) {

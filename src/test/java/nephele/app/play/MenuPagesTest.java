@@ -24,7 +24,7 @@ import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.DrawnBounds;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.host.compare.TechniquePair;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
@@ -48,7 +48,7 @@ class MenuPagesTest {
     @Test
     void noPageReachesOutOfItsWindow() throws IOException {
         MenuPages pages = new MenuPages(folder);
-        Hud hud = new Hud(new Lettering());
+        Hud hud = new Hud(new FontAtlas());
         int seen = 0;
         for (Language language : Language.values()) {
             for (Menu page : pages.in(language)) {
@@ -161,13 +161,13 @@ class MenuPagesTest {
         Map<Class<?>, Integer> ways = new HashMap<>();
         for (Menu page : pages) {
             if (page.name().startsWith("samples")) {
-                assertEquals(new Choice.Back(), page.escape());
+                assertEquals(Choice.Plain.BACK, page.escape());
                 page.entries().forEach(entry -> ways.merge(entry.choice().getClass(), 1, Integer::sum));
             }
         }
         int groups = LevelCatalogue.samples().groups().size();
         assertEquals(groups, ways.get(Choice.OpenSamples.class));
-        assertEquals(groups + 1, ways.get(Choice.Back.class));
+        assertEquals(groups + 1, ways.get(Choice.Plain.class));
         assertTrue(ways.get(Choice.Show.class) >= 12, ways.toString());
         assertTrue(ways.get(Choice.Compare.class) >= 6, ways.toString());
         assertTrue(ways.get(Choice.Play.class) >= 90, ways.toString());

@@ -75,7 +75,7 @@ class PlayedQualityGlTest {
                 var picture = SessionPicture.load(gl, request, prepared, Optional.empty())) {
             var view = Viewpoints.standard(prepared.opened().level(), level, (double) WIDTH / HEIGHT);
             var state = FrameState.atStart(prepared.scene().level());
-            picture.draw(view.view(0), state, Wipe.MIDDLE, target, StepListener.NONE);
+            picture.draw(view.apply(0), state, Wipe.MIDDLE, target, StepListener.NONE);
             Capture.png(target, out);
         }
         return out;

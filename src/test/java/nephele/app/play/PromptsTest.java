@@ -26,7 +26,6 @@ import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
 import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.ReplayInput;
@@ -130,7 +129,7 @@ class PromptsTest {
     }
 
     private String text(Playthrough playthrough, Shot first, long unevenMillimetres) {
-        Half half = new Half(Portal.NONE, first, unevenMillimetres);
+        Half half = new Half(false, first, unevenMillimetres);
         return prompts.text(playthrough, new CrosshairState(0, 0, half, half), settings, device);
     }
 

@@ -16,8 +16,8 @@ import nephele.app.settings.Phrase;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.QualityPreset;
+import nephele.app.window.Size;
 import nephele.app.window.WindowMode;
-import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 import nephele.host.draw.QualityChoice;
 import nephele.host.userfile.UserFolders;
@@ -74,9 +74,9 @@ class SlowAdviceTest {
     void theSmallestPictureIsNotMadeSmaller() {
         GameSettings usual = GameSettings.DEFAULT;
         GameSettings least = usual.with(Settings.RESOLUTION, Settings.LEAST_RESOLUTION);
-        WindowSize large = new WindowSize(1920, 1080);
+        Size large = new Size(1920, 1080);
         for (WindowMode mode : WindowMode.values()) {
-            assertEquals(PictureNow.SMALLEST, SlowAdvice.picture(mode, new WindowSize(640, 360), usual));
+            assertEquals(PictureNow.SMALLEST, SlowAdvice.picture(mode, new Size(640, 360), usual));
         }
         assertEquals(PictureNow.CAN_BE_SMALLER, SlowAdvice.picture(WindowMode.WINDOWED, large, usual));
         assertEquals(PictureNow.CAN_BE_SMALLER, SlowAdvice.picture(WindowMode.FULLSCREEN, large, usual));

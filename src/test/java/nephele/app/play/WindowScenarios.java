@@ -11,8 +11,8 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
+import nephele.app.window.Size;
 import nephele.app.window.WindowMode;
-import nephele.app.window.WindowSize;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.state.SimSettings;
 import nephele.host.draw.QualityChoice;
@@ -33,7 +33,7 @@ public final class WindowScenarios {
     private static final double MOST_BYTES_IN_MENUS = 64 << 10;
 
     private final Input input = new Input();
-    private final GameWindow window = GameWindow.open(new GameWindow.Request("Nephele test", 320, 180), input);
+    private final GameWindow window = GameWindow.open("Nephele test", new Size(320, 180), input);
     private final long handle = glfwGetCurrentContext();
     private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();
@@ -107,7 +107,7 @@ public final class WindowScenarios {
                         () -> isSize(1024, 600) && glfwGetWindowAttrib(handle, GLFW_DECORATED) == GLFW_FALSE),
                 new Scenario(
                         "has a frame again and another size",
-                        () -> window.become(WindowMode.WINDOWED, new WindowSize(360, 190)),
+                        () -> window.become(WindowMode.WINDOWED, new Size(360, 190)),
                         () -> isSize(360, 190) && glfwGetWindowAttrib(handle, GLFW_DECORATED) == GLFW_TRUE),
                 new Scenario("draws steadily", this::measureFrames, () -> frameBytes <= MOST_BYTES_IN_PLAY),
                 new Scenario("shows figures", () -> press(Control.FIGURES), () -> loop.stage() == GameStage.RUNNING),

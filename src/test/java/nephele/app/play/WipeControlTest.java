@@ -25,10 +25,10 @@ class WipeControlTest {
         input.key(GLFW.GLFW_KEY_LEFT, true);
         assertFalse(input.holds(Control.LEFT));
         control.update(0.05);
-        assertEquals(0.5 - 0.02 - 0.4 * 0.05, control.wipe().share(), 1e-12);
+        assertEquals(0.5 - 0.02 - 0.4 * 0.05, control.wipe().fraction(), 1e-12);
         input.key(GLFW.GLFW_KEY_LEFT, false);
         control.update(0.05);
-        assertEquals(0.46, control.wipe().share(), 1e-12);
+        assertEquals(0.46, control.wipe().fraction(), 1e-12);
         control.rest();
         input.key(GLFW.GLFW_KEY_LEFT, true);
         assertTrue(input.holds(Control.LEFT), "in a level without a comparison the arrow walks");
@@ -39,13 +39,13 @@ class WipeControlTest {
         control.update(0);
         input.key(GLFW.GLFW_KEY_LEFT_SHIFT, true);
         tap(GLFW.GLFW_KEY_RIGHT);
-        assertEquals(0.502, control.wipe().share(), 1e-12);
+        assertEquals(0.502, control.wipe().fraction(), 1e-12);
         tap(GLFW.GLFW_KEY_HOME);
-        assertEquals(0, control.wipe().share());
+        assertEquals(0, control.wipe().fraction());
         tap(GLFW.GLFW_KEY_LEFT);
-        assertEquals(0, control.wipe().share());
+        assertEquals(0, control.wipe().fraction());
         tap(GLFW.GLFW_KEY_END);
-        assertEquals(1, control.wipe().share());
+        assertEquals(1, control.wipe().fraction());
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Size;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.scenes.file.OpenedScene;
@@ -25,7 +26,7 @@ public final class ViewerScenarios {
     private static final int MOST_FRAMES = 400;
 
     private final ViewerInput input = new ViewerInput();
-    private final GameWindow window = GameWindow.open(new GameWindow.Request("Viewer test", 320, 240), input);
+    private final GameWindow window = GameWindow.open("Viewer test", new Size(320, 240), input);
     private final long handle = glfwGetCurrentContext();
     private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();
@@ -59,12 +60,12 @@ public final class ViewerScenarios {
                 new Scenario(
                         "moves alone",
                         () -> input.key(GLFW_KEY_D, true),
-                        () -> place().spring().shownRight() > 0),
+                        () -> place().spring().currentRight() > 0),
                 new Scenario(
                         "takes the camera along", () -> {}, () -> place().eye().x() < -0.5),
                 new Scenario("rests again", () -> input.key(GLFW_KEY_D, false), () -> place().bankDegrees() == 0),
                 new Scenario("shows wires", () -> press(GLFW_KEY_F1), () -> look().shading() == Shading.WIREFRAME),
-                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes() == SceneAppearance.Axes.SHOWN),
+                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes()),
                 new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
                 new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
                 new Scenario("fills the screen", () -> press(GLFW_KEY_F11), () -> isSize(1024, 600)),

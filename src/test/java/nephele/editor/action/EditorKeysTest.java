@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.action.EditorKeys.KeyConflict;
 import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import org.junit.jupiter.api.Test;
@@ -27,7 +26,7 @@ class EditorKeysTest {
 
     private static EditorCommand command(String id, String title, String... keys) {
         Words words = Words.same(title);
-        return new EditorCommand(id, words, words, Menu.EDIT, List.of(keys), () -> true, () -> false, () -> {});
+        return new EditorCommand(id, words, Menu.EDIT, List.of(keys), () -> true, () -> false, () -> {});
     }
 
     private static KeyEvent pressed(int modifiers, int code, char character) {
@@ -134,8 +133,8 @@ class EditorKeysTest {
         assertEquals(Optional.empty(), keys.find(pressed(0, KeyEvent.VK_F1, KeyEvent.CHAR_UNDEFINED)));
         assertEquals(Optional.of("b"), keys.find(pressed(0, KeyEvent.VK_F3, KeyEvent.CHAR_UNDEFINED)));
         KeyText key = KeyText.parse("F3").orElseThrow();
-        assertEquals(List.of(new KeyConflict(key, List.of("b", "c"))), keys.conflicts());
-        assertEquals(List.of(), new EditorKeys(commands, Map.of()).conflicts());
+        assertEquals(Map.of(key, List.of("b", "c")), keys.conflicts());
+        assertEquals(Map.of(), new EditorKeys(commands, Map.of()).conflicts());
     }
 
     @Test

@@ -107,7 +107,7 @@ class FileExchangeTest {
                 "textures/Old-Wall.png",
                 session.document().level().materials().get(0).texture());
         Solid floor = session.document().level().solids().get(0);
-        assertEquals("Old-Wall", SolidFaces.said(floor, "+y").material());
+        assertEquals("Old-Wall", SolidFaces.authored(floor, "+y").material());
         assertEquals("Old-Wall", session.options().material());
         assertTrue(session.assets().exists("textures/Old-Wall.png"));
         run("undo");

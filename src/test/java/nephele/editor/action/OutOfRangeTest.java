@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.editor.document.Document;
 import nephele.editor.document.EntityTransform;
+import nephele.editor.record.Entities;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.Level;
@@ -95,14 +96,15 @@ class OutOfRangeTest {
     @Test
     void whatWasThereBeforeIsNotJudgedAgain() {
         Document document = session().session().document();
-        document.reset((Level) document.entities()
-                .changed(
-                        document.level(),
-                        document.selection().entities(),
-                        entity -> EntityTransform.scaled(entity, new Vec3(2, 2, 2), new Vec3(1e9, 1e9, 1e9))));
+        document.reset(Entities.LEVEL.changed(
+                document.level(),
+                document.selection().entities(),
+                entity -> EntityTransform.scaled(entity, new Vec3(2, 2, 2), new Vec3(1e9, 1e9, 1e9))));
         Level out = document.level();
-        document.edit(Words.same("name"), level -> (Level)
-                document.entities().added(level, "materials", level.materials().get(0)));
+        document.edit(
+                Words.same("name"),
+                level -> Entities.LEVEL.added(
+                        level, "materials", level.materials().get(0)));
         assertEquals(out.materials().size() + 1, document.level().materials().size());
     }
 }

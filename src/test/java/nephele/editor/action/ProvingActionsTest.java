@@ -53,7 +53,7 @@ class ProvingActionsTest {
     @Test
     void problemsAreVisitedInTurnAndMarkedUntilAnotherSelection() {
         ScriptedSession room = room();
-        List<LevelProblem> problems = proving(room).problems().shown();
+        List<LevelProblem> problems = proving(room).problems().listed();
         assertTrue(problems.size() >= 2, problems.toString());
         for (LevelProblem problem : problems) {
             room.run("next-problem");
@@ -79,7 +79,7 @@ class ProvingActionsTest {
     @Test
     void theCameraLooksAtTheProblem() {
         ScriptedSession room = room();
-        LevelProblem lamp = proving(room).problems().shown().stream()
+        LevelProblem lamp = proving(room).problems().listed().stream()
                 .filter(problem -> new EntityRef("lights", "far").equals(problem.entity()))
                 .findFirst()
                 .orElseThrow();

@@ -18,7 +18,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.PolyhedronMeasure;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -58,7 +58,7 @@ class FaceExtrudeTest {
             Brush.BrushFace face = faces.get(at);
             Optional<Solid> result = FaceExtrude.extruded(solid, at, -0.0625).result();
             if (result.isPresent()) {
-                double area = PolyhedronMeasure.areaSquareMetres(face.polygon());
+                double area = ConvexPolyhedron.areaSquareMetres(face.polygon());
                 assertTrue(volume(result.get()) < volume(solid));
                 Brush.BrushFace now =
                         SolidShape.towards(result.get(), face.plane().normal());
@@ -154,12 +154,12 @@ class FaceExtrudeTest {
             if (both.isPresent()) {
                 Solid grown = both.get().get(1);
                 double volume =
-                        0.75 * PolyhedronMeasure.areaSquareMetres(faces.get(at).polygon());
+                        0.75 * ConvexPolyhedron.areaSquareMetres(faces.get(at).polygon());
                 assertEquals(volume, volume(grown), 1e-8 * Math.max(1, volume), solid.toString());
                 assertTrue(BrushBoolean.intersected(solid, grown).result().isEmpty());
                 assertAccepted(both.get());
             } else {
-                assertTrue(PolyhedronMeasure.areaSquareMetres(faces.get(at).polygon()) < 1e-2);
+                assertTrue(ConvexPolyhedron.areaSquareMetres(faces.get(at).polygon()) < 1e-2);
             }
         }
     }

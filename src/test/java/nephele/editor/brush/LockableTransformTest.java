@@ -50,7 +50,7 @@ class LockableTransformTest {
         Solid placed = solid.material() == null ? FaceLooks.withMaterial(solid, "brick") : solid;
         List<String> names = SolidFaces.names(placed);
         for (int i = 0; i < names.size(); i += 2) {
-            Solid.Face said = SolidFaces.said(placed, names.get(i));
+            Solid.Face said = SolidFaces.authored(placed, names.get(i));
             placed = SolidFaces.with(
                     placed, names.get(i), new Solid.Face(said.material(), said.portalable(), PLACEMENT));
         }

@@ -128,7 +128,7 @@ class PlacementKeptTest {
         Solid painted = solid;
         for (String name : SolidFaces.names(solid)) {
             int i = SolidFaces.names(solid).indexOf(name) + 1;
-            Solid.Face said = SolidFaces.said(solid, name);
+            Solid.Face said = SolidFaces.authored(solid, name);
             TexturePlacement placement = new TexturePlacement(i / 8.0, -i, 10 * i, i, -i);
             painted = SolidFaces.with(painted, name, new Solid.Face(said.material(), said.portalable(), placement));
         }
@@ -206,8 +206,8 @@ class PlacementKeptTest {
     void facesOfACutterBringTheirPlacement() {
         Solid box = SolidShape.box("box", Vec3.ZERO, new Vec3(2, 2, 2));
         Solid cutter = painted(SolidShape.box("cutter", new Vec3(1, -1, -1), new Vec3(3, 3, 3)));
-        TexturePlacement placement = SolidFaces.said(cutter, "-x").texture();
+        TexturePlacement placement = SolidFaces.authored(cutter, "-x").texture();
         Solid common = BrushBoolean.intersected(box, cutter).result().orElseThrow();
-        assertEquals(placement, SolidFaces.said(common, "-x").texture());
+        assertEquals(placement, SolidFaces.authored(common, "-x").texture());
     }
 }

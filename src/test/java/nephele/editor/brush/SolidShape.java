@@ -18,7 +18,6 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
-import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 import nephele.engine.rule.LevelRules;
 
@@ -27,7 +26,7 @@ final class SolidShape {
     private SolidShape() {}
 
     static double volume(Solid solid) {
-        return PolyhedronMeasure.volumeCubicMetres(Brush.of(solid).shape());
+        return Brush.of(solid).shape().volumeCubicMetres();
     }
 
     static double volume(List<Solid> solids) {

@@ -52,20 +52,12 @@ class OutsideChangesTest {
     void open() {
         file = folder.resolve("room.json");
         session = FiledSession.of(folder, file, OPENED);
-        changes = new OutsideChanges(session, new Answers());
+        changes = new OutsideChanges(session, this::isMineKept, message -> told.add(message.english()));
     }
 
-    private final class Answers implements OutsideChanges.Voice {
-        @Override
-        public boolean isMineKept(Words question) {
-            asked.add(question.english());
-            return isMineKept;
-        }
-
-        @Override
-        public void tell(Words message) {
-            told.add(message.english());
-        }
+    private boolean isMineKept(Words question) {
+        asked.add(question.english());
+        return isMineKept;
     }
 
     private void changedOutside(Level level) {
@@ -191,8 +183,7 @@ class OutsideChangesTest {
     @Test
     void theWatchOfASessionFindsWhatChanges() throws Exception {
         LinkedBlockingQueue<Runnable> sessionThread = new LinkedBlockingQueue<>();
-        SessionWatch watch =
-                new SessionWatch(session, changes, new SessionWatch.Threads(sessionThread::add, Runnable::run));
+        SessionWatch watch = new SessionWatch(session, changes, sessionThread::add, Runnable::run);
         try {
             LevelFile.save(file, THEIRS);
             while (!session.document().level().equals(THEIRS)) {

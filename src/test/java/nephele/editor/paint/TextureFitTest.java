@@ -117,12 +117,12 @@ class TextureFitTest {
     @ParameterizedTest
     @EnumSource(TextureAlignment.class)
     void anAlignedPictureLiesAtItsEdge(TextureAlignment alignment) {
-        double share = alignment.share();
+        double fraction = alignment.fraction();
         int axis = alignment.isHorizontal() ? 0 : 2;
         for (PaintedFace face : faces(10, TextureMapping.WORLD)) {
             TexturePlacement aligned = TextureFit.align(face, alignment);
             double[] span = span(face.with(aligned));
-            double place = span[axis] + share * (span[axis + 1] - span[axis]) - share;
+            double place = span[axis] + fraction * (span[axis + 1] - span[axis]) - fraction;
             assertEquals(0, place - Math.rint(place), SAME);
             double other = span[2 - axis] - span(face)[2 - axis];
             assertEquals(0, other - Math.rint(other), SAME, "the other direction stays");

@@ -2,14 +2,21 @@ package nephele.editor.pane;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneLayout.Arrangement;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneLayout.Splitter;
+import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -54,8 +61,8 @@ class PaneLayoutTest {
         assertEquals(200, moved.rectangles(SIZE, GAP).get(0).width(), 2);
         assertEquals(300, moved.rectangles(SIZE, GAP).get(0).height());
         PaneLayout far = layout.split(Splitter.BOTH, -50, 1e6, SIZE);
-        assertEquals(0.1, far.columnShare(), 1e-12);
-        assertEquals(0.9, far.rowShare(), 1e-12);
+        assertEquals(0.1, far.columnFraction(), 1e-12);
+        assertEquals(0.9, far.rowFraction(), 1e-12);
     }
 
     @Test
@@ -105,5 +112,37 @@ class PaneLayoutTest {
         assertEquals(camera, moved.eye());
         assertEquals(camera, moved.withActive(2).eye());
         assertEquals(camera, moved.withActive(1).maximiseToggled().eye());
+    }
+
+    /** The level is 2 km above the origin. */
+    @Test
+    void aLevelIsSeenFromItsFirstCamera() {
+        Level level = LevelFile.load(Path.of("levels/05-above-the-clouds.json")).level();
+        PaneLayout opened = layout.opened(level);
+        Vec3 eye = level.cameras().get(0).position();
+        Vec3 target = level.cameras().get(0).target();
+        assertEquals(eye, opened.eye().eye());
+        Vec3 along = target.minus(eye);
+        double yaw = Math.toRadians(opened.eye().yawDegrees());
+        double pitch = Math.toRadians(opened.eye().pitchDegrees());
+        assertEquals(along.x() / along.length(), -Math.sin(yaw) * Math.cos(pitch), 1e-9);
+        assertEquals(along.y() / along.length(), Math.sin(pitch), 1e-9);
+        assertEquals(along.z() / along.length(), -Math.cos(yaw) * Math.cos(pitch), 1e-9);
+        for (PaneView view : opened.views()) {
+            assertEquals(target, view.plan().centre());
+        }
+    }
+
+    @Test
+    void withoutCamerasItIsSeenFromItsStartAndWithoutStartAsBefore() {
+        Level bare = new TestLevel().level();
+        assertSame(layout, layout.opened(bare));
+        String text =
+                "{\"format\": \"nephele-level\", \"version\": 1, \"name\": \"start\", \"player\": {\"feet\": [5, 30,"
+                        + " 7], \"yawDegrees\": 90}}";
+        Level start = LevelJson.read("start.json", text.getBytes(StandardCharsets.UTF_8));
+        PerspectiveCamera opened = layout.opened(start).eye();
+        assertEquals(new Vec3(5, 31.65, 7), opened.eye());
+        assertEquals(90, opened.yawDegrees());
     }
 }

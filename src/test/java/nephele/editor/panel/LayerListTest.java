@@ -23,7 +23,6 @@ import nephele.editor.terrain.PaintedLevel;
 import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.Words;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.terrain.LayerPaint;
@@ -41,7 +40,7 @@ class LayerListTest {
     private PaintedLevel level;
     private EditorSession session;
     private FieldChanges changes;
-    private Words told = Words.NONE;
+    private Words reported = Words.NONE;
 
     /** Opens a level with three layers, each painted on some texels with all weights; other texels have none. */
     @BeforeEach
@@ -52,7 +51,7 @@ class LayerListTest {
             map.texels()[2 * i] = (byte) (i % 3);
             map.texels()[2 * i + 1] = (byte) (i * 37);
         }
-        Files.write(folder.resolve("paint.png"), LayerMapFile.png(map));
+        Files.write(folder.resolve("paint.png"), map.png());
         Files.writeString(
                 level.file(),
                 Files.readString(level.file())
@@ -66,7 +65,7 @@ class LayerListTest {
     private void inspect(EditorSession opened) {
         session = opened;
         session.document().select(Selection.of(new EntityRef("terrains", "hills")));
-        changes = new FieldChanges(session, words -> told = words);
+        changes = new FieldChanges(session, words -> reported = words);
     }
 
     private InspectorField layer(int index) {
@@ -78,11 +77,11 @@ class LayerListTest {
     }
 
     private LayerMap map() {
-        return session.assets().decoded(PaintedLevel.terrain(session).layerMap(), LayerMap.class, LayerMapFile::read);
+        return session.assets().decoded(PaintedLevel.terrain(session).layerMap(), LayerMap.class, LayerMap::read);
     }
 
     /** Returns the weight of each material at a texel, the mixture under the paint as {@code bare}. */
-    private Map<String, Integer> seen(int column, int row) {
+    private Map<String, Integer> visible(int column, int row) {
         Map<String, Integer> weights = new TreeMap<>();
         int weight = map().weight(column, row);
         weights.put("bare", 255 - weight);
@@ -93,9 +92,9 @@ class LayerListTest {
         return weights;
     }
 
-    private List<Map<String, Integer>> seen() {
+    private List<Map<String, Integer>> visible() {
         return java.util.stream.IntStream.range(0, SIDE * SIDE)
-                .mapToObj(i -> seen(i % SIDE, i / SIDE))
+                .mapToObj(i -> visible(i % SIDE, i / SIDE))
                 .toList();
     }
 
@@ -107,10 +106,10 @@ class LayerListTest {
                 ListEdit.moved(1, 0),
                 ListEdit.inserted(0),
                 ListEdit.inserted(2))) {
-            List<Map<String, Integer>> before = seen();
+            List<Map<String, Integer>> before = visible();
             String file = PaintedLevel.terrain(session).layerMap();
             changes.edit(layer(0), edit);
-            assertEquals(before, seen(), edit.toString());
+            assertEquals(before, visible(), edit.toString());
             assertNotEquals(file, PaintedLevel.terrain(session).layerMap(), edit.toString());
             LayerPaint.requireLayers(PaintedLevel.terrain(session), map());
         }
@@ -140,7 +139,7 @@ class LayerListTest {
 
     @Test
     void paintOfADeletedLayerIsErased() {
-        List<Map<String, Integer>> before = seen();
+        List<Map<String, Integer>> before = visible();
         changes.remove(layer(1));
         assertEquals(
                 List.of("grass", "sand"),
@@ -149,7 +148,7 @@ class LayerListTest {
                         .toList());
         for (int i = 0; i < SIDE * SIDE; i++) {
             Map<String, Integer> expected = before.get(i).containsKey("rock") ? Map.of("bare", 255) : before.get(i);
-            assertEquals(expected, seen(i % SIDE, i / SIDE), "texel " + i);
+            assertEquals(expected, visible(i % SIDE, i / SIDE), "texel " + i);
         }
         changes.remove(layer(0));
         changes.remove(layer(0));
@@ -211,14 +210,14 @@ class LayerListTest {
         Level painted = session.document().level();
         inspect(new EditorSession(DocumentFile.UNTITLED, painted, session.assets(), EditorSettings.DEFAULT));
         changes.remove(layer(0));
-        assertEquals(TerrainText.SAVE_FIRST.words(), told);
+        assertEquals(TerrainText.SAVE_FIRST.words(), reported);
         assertSame(painted, session.document().level());
         inspect(level.open());
         for (int i = 0; i < 7; i++) {
             changes.edit(layer(0), ListEdit.inserted(0));
         }
         assertEquals(8, PaintedLevel.terrain(session).layers().size());
-        assertNotEquals(Words.NONE, told);
+        assertNotEquals(Words.NONE, reported);
     }
 
     @Test

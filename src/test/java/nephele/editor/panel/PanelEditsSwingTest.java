@@ -71,49 +71,49 @@ class PanelEditsSwingTest {
     @Test
     void anEditByHandIsOneStepAndSelectionGoesBothWays() throws Exception {
         EditorSession session = session();
-        List<Object> seen = new ArrayList<>();
+        List<Object> observed = new ArrayList<>();
         onEventThread(() -> {
             var outliner = new OutlinerPanel(session, ref -> {}, refs -> {});
             var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
             JTable table = all(outliner, JTable.class).get(0);
             outliner.search("type:material lamp");
-            seen.add(table.getRowCount());
+            observed.add(table.getRowCount());
             table.setRowSelectionInterval(1, 1);
-            seen.add(session.document().selection());
+            observed.add(session.document().selection());
             JCheckBox mirror = all(inspector, JCheckBox.class).get(0);
             mirror.doClick();
-            seen.add(session.document().history().labels().size());
-            seen.add(all(inspector, JCheckBox.class).get(0) == mirror);
+            observed.add(session.document().history().labels().size());
+            observed.add(all(inspector, JCheckBox.class).get(0) == mirror);
             session.document().undo();
-            seen.add(mirror.isSelected());
+            observed.add(mirror.isSelected());
             session.document().select(Selection.NONE);
-            seen.add(table.getSelectedRowCount());
+            observed.add(table.getSelectedRowCount());
         });
-        assertEquals(List.of(3, Selection.of(new EntityRef("materials", "lamp")), 1, true, false, 0), seen);
+        assertEquals(List.of(3, Selection.of(new EntityRef("materials", "lamp")), 1, true, false, 0), observed);
     }
 
     @Test
     void exposureIsANumberOrAutomatic() throws Exception {
         EditorSession session = session();
         Exposure written = session.document().level().environment().exposureStops();
-        List<Object> seen = new ArrayList<>();
+        List<Object> observed = new ArrayList<>();
         onEventThread(() -> {
             var inspector = new InspectorPanel(session, (field, current) -> Optional.empty());
             JCheckBox auto = all(inspector, JCheckBox.class).stream()
                     .filter(box -> box.getText().equals("Automatic"))
                     .findFirst()
                     .orElseThrow();
-            seen.add(auto.isSelected());
+            observed.add(auto.isSelected());
             auto.doClick();
-            seen.add(session.document().level().environment().exposureStops());
+            observed.add(session.document().level().environment().exposureStops());
             auto.doClick();
-            seen.add(session.document().level().environment().exposureStops());
+            observed.add(session.document().level().environment().exposureStops());
             session.document().undo();
-            seen.add(auto.isSelected());
+            observed.add(auto.isSelected());
             session.document().undo();
-            seen.add(session.document().level().environment().exposureStops());
+            observed.add(session.document().level().environment().exposureStops());
         });
-        assertEquals(List.of(false, Exposure.AUTO, Exposure.NEUTRAL, true, written), seen);
+        assertEquals(List.of(false, Exposure.AUTO, Exposure.NEUTRAL, true, written), observed);
     }
 
     /** Every editor ends within the panel, also where the panel is as narrow as a window of 800 points makes it. */

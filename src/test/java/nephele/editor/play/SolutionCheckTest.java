@@ -67,7 +67,7 @@ class SolutionCheckTest {
     }
 
     private static SolutionVerdict verdict(String... solids) {
-        return SolutionCheck.of(corridor(solids), recorded(), share -> {});
+        return SolutionCheck.of(corridor(solids), recorded(), progress -> {});
     }
 
     @Test
@@ -105,9 +105,9 @@ class SolutionCheckTest {
         var recorded = recorded();
         var old = new Replay("corridor.json", recorded.settings(), null, recorded.inputs());
         var blocked = corridor(FLOOR, END_WALL, BLOCK);
-        var verdict = SolutionCheck.of(blocked, old, share -> {});
+        var verdict = SolutionCheck.of(blocked, old, progress -> {});
         assertEquals(Cause.EXIT_NOT_REACHED, verdict.deviation().orElseThrow().cause());
-        assertTrue(SolutionCheck.of(corridor(FLOOR, END_WALL), old, share -> {})
+        assertTrue(SolutionCheck.of(corridor(FLOOR, END_WALL), old, progress -> {})
                 .deviation()
                 .isEmpty());
     }
@@ -124,7 +124,7 @@ class SolutionCheckTest {
     void aCheckEndsWhenItsProgressSaysSo() {
         assertThrows(
                 CancellationException.class,
-                () -> SolutionCheck.of(corridor(FLOOR), recorded(), share -> {
+                () -> SolutionCheck.of(corridor(FLOOR), recorded(), progress -> {
                     throw new CancellationException();
                 }));
     }
@@ -133,47 +133,53 @@ class SolutionCheckTest {
     void theSolutionBesideALevelIsCheckedInTheBackground(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("corridor.json");
         var missing = new CompletableFuture<String>();
-        var told = new CompletableFuture<SolutionVerdict>();
-        RecordedSolution.check(
+        var received = new CompletableFuture<SolutionVerdict>();
+        SolutionCheck.start(
                 file,
+                task -> new Thread(task).start(),
                 () -> corridor(FLOOR),
-                share -> {},
-                new RecordedSolution.Outcome(told::complete, missing::complete));
+                progress -> {},
+                received::complete,
+                missing::complete);
         assertTrue(missing.get(20, TimeUnit.SECONDS).contains("no recorded solution"));
-        Path solution = RecordedSolution.fileOf(file);
+        Path solution = SolutionCheck.fileOf(file);
         assertEquals(folder.resolve("replays").resolve("corridor.json"), solution);
         Files.createDirectories(solution.getParent());
         Files.writeString(solution, recorded().write());
-        RecordedSolution.check(
+        SolutionCheck.start(
                 file,
+                task -> new Thread(task).start(),
                 () -> corridor(FLOOR, END_WALL),
-                share -> {},
-                new RecordedSolution.Outcome(told::complete, missing::complete));
-        assertTrue(told.get(20, TimeUnit.SECONDS).isSolved());
+                progress -> {},
+                received::complete,
+                missing::complete);
+        assertTrue(received.get(20, TimeUnit.SECONDS).isSolved());
     }
 
     @Test
     void aCancelledCheckTellsNothing(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("corridor.json");
-        Files.createDirectories(RecordedSolution.fileOf(file).getParent());
-        Files.writeString(RecordedSolution.fileOf(file), recorded().write());
-        var told = new CopyOnWriteArrayList<Object>();
+        Files.createDirectories(SolutionCheck.fileOf(file).getParent());
+        Files.writeString(SolutionCheck.fileOf(file), recorded().write());
+        var received = new CopyOnWriteArrayList<Object>();
         var mayGoOn = new CountDownLatch(1);
         var simulated = new CompletableFuture<Thread>();
-        var running = RecordedSolution.check(
+        Runnable cancel = SolutionCheck.start(
                 file,
+                task -> new Thread(task).start(),
                 () -> {
                     simulated.complete(Thread.currentThread());
                     await(mayGoOn);
                     return corridor(FLOOR, END_WALL);
                 },
-                share -> {},
-                new RecordedSolution.Outcome(told::add, told::add));
+                progress -> {},
+                received::add,
+                received::add);
         Thread thread = simulated.get(20, TimeUnit.SECONDS);
-        running.cancel();
+        cancel.run();
         mayGoOn.countDown();
         thread.join();
-        assertEquals(List.of(), told);
+        assertEquals(List.of(), received);
     }
 
     private static void await(CountDownLatch latch) {

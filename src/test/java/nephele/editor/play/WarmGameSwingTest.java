@@ -131,7 +131,7 @@ class WarmGameSwingTest {
         assertFalse(first.exitReached());
         assertNull(first.recorded());
 
-        Path solution = RecordedSolution.fileOf(file);
+        Path solution = SolutionCheck.fileOf(file);
         var exit = level("{\"id\": \"e\", \"feet\": [0, 0, -3], \"heightMetres\": 2}");
         game.play(new WarmGame.Request(exit, file, null, null, solution));
         assertEquals("playing", next());

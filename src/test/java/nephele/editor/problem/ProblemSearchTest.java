@@ -255,7 +255,6 @@ class ProblemSearchTest {
         assertTrue(LevelProblem.isHidden(hidden, problems(hidden).get(0)));
         assertSame(hidden, LevelProblem.hide(hidden, problem));
         assertFalse(LevelProblem.isHidden(level, problem));
-        assertEquals(level, LevelProblem.show(hidden, problem));
     }
 
     @Test
@@ -291,6 +290,22 @@ class ProblemSearchTest {
         assertEquals(List.of("a.png"), asked);
         search.find(read(String.format(material, "b")), () -> false);
         assertEquals(List.of("a.png", "b.png"), asked);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "\"terrains\": [{\"id\": \"t\", \"heightMap\": \"%s\", \"centre\": [0, 0, 0], \"sizeMetres\": [9, 9],"
+                        + " \"heightRangeMetres\": [0, 1]}]",
+                "\"billboards\": [{\"id\": \"b\", \"sprite\": \"%s\", \"sizeMetres\": [1, 1], \"at\": [[0, 0, 0]]}]"
+            })
+    void anotherFileOfATerrainOrOfBillboardsIsRead(String section) {
+        ProblemSearch search = new ProblemSearch(NoFiles.AT_ALL);
+        Level before = read(String.format(section, "a.png") + START + EXIT);
+        Level after = read(String.format(section, "b.png") + START + EXIT);
+        assertTrue(search.find(before, () -> false).orElseThrow().toString().contains("a.png"));
+        assertTrue(search.find(after, () -> false).orElseThrow().toString().contains("b.png"));
     }
 
     @Test

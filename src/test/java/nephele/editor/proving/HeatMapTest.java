@@ -21,7 +21,9 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** A heat map follows edits: what it keeps is what a fresh map computes. */
 @Execution(ExecutionMode.CONCURRENT)
 class HeatMapTest {
-    private static final PlacementHeatMap.Settings COARSE = new PlacementHeatMap.Settings(0.8, 0, 40_000);
+    private static PlacementHeatMap coarse(PlacedLevel placed, HeatMap before) {
+        return new PlacementHeatMap(placed, 0.8, 0, 40_000, before);
+    }
 
     private static Level hall() {
         return RoomLevel.hall()
@@ -34,8 +36,8 @@ class HeatMapTest {
     }
 
     private static HeatMap computed(PlacementHeatMap map) {
-        assertTrue(map.compute(() -> false, part -> {}));
-        return map.memory();
+        assertTrue(map.compute(() -> false, () -> {}));
+        return map.map();
     }
 
     /** Moves the last boxes a little, each step another one. */
@@ -60,22 +62,22 @@ class HeatMapTest {
     @Test
     void afterEachEditTheMapIsTheOneOfTheWholeLevel() {
         PlacedLevel placed = PlacedLevel.of(hall(), NoFiles.AT_ALL);
-        HeatMap memory = computed(new PlacementHeatMap(placed, COARSE));
+        HeatMap memory = computed(coarse(placed, null));
         Random random = new Random(3);
         int kept = 0;
         for (int i = 0; i < 6; i++) {
             placed = placed.edited(edited(placed.level(), random));
-            PlacementHeatMap next = new PlacementHeatMap(placed, COARSE, memory);
+            PlacementHeatMap next = coarse(placed, memory);
             memory = computed(next);
             kept += next.keptSurfaces();
-            assertEquals(computed(new PlacementHeatMap(placed, COARSE)).all(), memory.all(), "edit " + i);
+            assertEquals(computed(coarse(placed, null)).all(), memory.all(), "edit " + i);
         }
         assertTrue(kept > 0, "nothing was kept");
     }
 
     @Test
     void aPointOfASurfaceHasTheNearestCell() {
-        HeatMap memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
+        HeatMap memory = computed(coarse(PlacedLevel.of(hall(), NoFiles.AT_ALL), null));
         assertEquals(HeatText.NOT_PORTALABLE, memory.at(new Vec3(3.5, 1.5, -7)).text());
         assertEquals(HeatText.FITS, memory.at(new Vec3(8, 3.1, 0.2)).text());
         assertEquals(null, memory.at(new Vec3(0, 2, 0)));
@@ -83,7 +85,7 @@ class HeatMapTest {
 
     @Test
     void regionsCoverWhatTheirCellsCover() {
-        HeatMap memory = computed(new PlacementHeatMap(PlacedLevel.of(hall(), NoFiles.AT_ALL), COARSE));
+        HeatMap memory = computed(coarse(PlacedLevel.of(hall(), NoFiles.AT_ALL), null));
         List<Mark> marks = HeatRegions.of(memory);
         double cells = memory.all().stream()
                 .mapToDouble(cell -> FacePieces.areaSquareMetres(cell.mark().corners()))

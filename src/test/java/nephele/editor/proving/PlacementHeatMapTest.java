@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
@@ -31,7 +30,9 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 /** The heat map says what a shot straight at each of its cells does. */
 @Execution(ExecutionMode.CONCURRENT)
 class PlacementHeatMapTest {
-    private static final PlacementHeatMap.Settings COARSE = new PlacementHeatMap.Settings(0.5, 0.3, 40_000);
+    private static PlacementHeatMap coarse(PlacedLevel placed, HeatMap before) {
+        return new PlacementHeatMap(placed, 0.5, 0.3, 40_000, before);
+    }
 
     /** A hall with a fixed pair, a pillar that takes no portals, and a small portalable block. */
     private static Level hall() {
@@ -48,15 +49,14 @@ class PlacementHeatMapTest {
     }
 
     private static List<HeatCell> cells(PlacementHeatMap map) {
-        List<HeatCell> cells = new ArrayList<>();
-        assertTrue(map.compute(() -> false, cells::addAll));
-        return cells;
+        assertTrue(map.compute(() -> false, () -> {}));
+        return map.map().all();
     }
 
     @Test
     void cellsAgreeWithShotsFromFarther() {
         PlacedLevel placed = placed(hall());
-        List<HeatCell> cells = cells(new PlacementHeatMap(placed, COARSE));
+        List<HeatCell> cells = cells(coarse(placed, null));
         Placement placement = new Placement(
                 PlacementSurfaces.of(placed.statics()), Gun.of(placed.level().portalGun()));
         List<Portal> fixed = placed.level().portals().stream().map(Portal::of).toList();
@@ -91,7 +91,7 @@ class PlacementHeatMapTest {
 
     @Test
     void everyResultOccursWhereItShould() {
-        List<HeatCell> cells = cells(new PlacementHeatMap(placed(hall()), COARSE));
+        List<HeatCell> cells = cells(coarse(placed(hall()), null));
         Set<HeatText> texts = EnumSet.noneOf(HeatText.class);
         cells.forEach(cell -> texts.add(cell.text()));
         assertEquals(
@@ -120,7 +120,7 @@ class PlacementHeatMapTest {
     @Test
     void cellsCoverTheirSurfacesOnce() {
         Level level = new RoomLevel().box(0.1, 0, 0.3, 2.2, 3, 1.7).gun().level();
-        double area = cells(new PlacementHeatMap(placed(level), COARSE)).stream()
+        double area = cells(coarse(placed(level), null)).stream()
                 .mapToDouble(cell -> FacePieces.areaSquareMetres(cell.mark().corners()))
                 .sum();
         assertEquals(2 * (2.1 * 3 + 2.1 * 1.4 + 3 * 1.4), area, 1e-9);
@@ -129,7 +129,7 @@ class PlacementHeatMapTest {
     @Test
     void aLargeLevelGetsCoarserCells() {
         Level level = new RoomLevel().box(-500, -1, -500, 500, 0, 500).gun().level();
-        PlacementHeatMap map = new PlacementHeatMap(placed(level), new PlacementHeatMap.Settings(0.25, 0, 2000));
+        PlacementHeatMap map = new PlacementHeatMap(placed(level), 0.25, 0, 2000, null);
         assertTrue(map.spacingMetres() > 0.25);
         int cells = cells(map).size();
         assertTrue(cells <= 2000 && cells > 400, "" + cells);
@@ -137,17 +137,24 @@ class PlacementHeatMapTest {
 
     @Test
     void cancellingStopsIt() {
-        PlacementHeatMap map = new PlacementHeatMap(placed(hall()), COARSE);
-        List<HeatCell> cells = new ArrayList<>();
+        PlacementHeatMap map = coarse(placed(hall()), null);
+        int all = cells(coarse(placed(hall()), null)).size();
         int[] asked = {0};
-        assertFalse(map.compute(() -> ++asked[0] > 700, cells::addAll));
-        assertEquals(500, cells.size(), "whole parts only");
+        int[] surfaces = {0};
+        assertFalse(map.compute(() -> ++asked[0] > all / 2, () -> surfaces[0]++));
+        int cells = map.map().all().size();
+        assertTrue(cells > 0 && cells <= all / 2, cells + " of " + all);
+        assertEquals(map.map().cells().size(), surfaces[0], "whole surfaces only");
     }
 
     @Test
     void reasonsAreInThreeLanguages() {
-        HeatCell cell = nearest(cells(new PlacementHeatMap(placed(hall()), COARSE)), new Vec3(8, 0.75, 0));
-        assertEquals("A portal slides 0.30 m to fit", cell.reason().english());
-        assertEquals("Um portal desliza 0,30 m para caber", cell.reason().brazilian());
+        HeatCell cell = nearest(cells(coarse(placed(hall()), null)), new Vec3(8, 0.75, 0));
+        assertEquals(
+                "A portal slides 0.30 m to fit",
+                cell.text().words(cell.metres()).english());
+        assertEquals(
+                "Um portal desliza 0,30 m para caber",
+                cell.text().words(cell.metres()).brazilian());
     }
 }

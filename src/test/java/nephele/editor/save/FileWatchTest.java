@@ -31,7 +31,7 @@ class FileWatchTest {
         Path a = folder.resolve("a");
         Path b = folder.resolve("sub").resolve("b");
         Files.writeString(a, "one");
-        var files = new WatchedFiles();
+        var files = new FileWatch(changed -> {}, null);
         files.watch(List.of(a, b));
         assertEquals(Set.of(), files.changes());
         Files.setLastModifiedTime(a, FileTime.fromMillis(1000));

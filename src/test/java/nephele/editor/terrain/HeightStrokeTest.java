@@ -47,7 +47,7 @@ class HeightStrokeTest {
         return -65 + row;
     }
 
-    private static double share(int column, int row, double x, double z, double radius) {
+    private static double weight(int column, int row, double x, double z, double radius) {
         double d = Math.hypot(x(column) - x, z(row) - z) / radius;
         return d < 1 ? Math.pow(1 - d * d, 2) : 0;
     }
@@ -61,7 +61,7 @@ class HeightStrokeTest {
         TerrainBrush brush = new TerrainBrush(Effect.RAISE, 5, 0.5);
         HeightStroke stroke = new HeightStroke(GROUND, map((c, r) -> 20_000), brush, 101, -48.5);
         assertEquals(0.5, brush.riseMetres(), 1e-12);
-        assertMap(stroke.map(), (c, r) -> (int) Math.round(20_000 + 500 * share(c, r, 101, -48.5, 5)));
+        assertMap(stroke.map(), (c, r) -> (int) Math.round(20_000 + 500 * weight(c, r, 101, -48.5, 5)));
         assertEquals(5 + 20_000e-3 - 10 - 5, stroke.heightMetres(x(0), z(0)), 1e-9);
     }
 
@@ -69,7 +69,7 @@ class HeightStrokeTest {
     void loweringTakesAsMuchAway() {
         HeightMap flat = map((c, r) -> 20_000);
         HeightStroke stroke = new HeightStroke(GROUND, flat, new TerrainBrush(Effect.LOWER, 6, 1), 100, -50);
-        assertMap(stroke.map(), (c, r) -> (int) Math.round(20_000 - 1200 * share(c, r, 100, -50, 6)));
+        assertMap(stroke.map(), (c, r) -> (int) Math.round(20_000 - 1200 * weight(c, r, 100, -50, 6)));
         assertEquals(Effect.LOWER, Effect.RAISE.inverted());
         assertEquals(Effect.SMOOTH, Effect.SMOOTH.inverted());
     }
@@ -80,7 +80,7 @@ class HeightStrokeTest {
         HeightStroke stroke = new HeightStroke(GROUND, map(slope), new TerrainBrush(Effect.FLATTEN, 6, 1), 101, -50.5);
         double flat = 10_000 + 100 * 10.5 + 10 * 14.5;
         assertMap(stroke.map(), (c, r) -> (int)
-                Math.round(slope.applyAsInt(c, r) + share(c, r, 101, -50.5, 6) * (flat - slope.applyAsInt(c, r))));
+                Math.round(slope.applyAsInt(c, r) + weight(c, r, 101, -50.5, 6) * (flat - slope.applyAsInt(c, r))));
         stroke.to(113, -50.5);
         assertEquals(flat, stroke.map().value(16, 14), 20, "the height of the first press, not of the last place");
     }
@@ -97,7 +97,7 @@ class HeightStrokeTest {
         assertMap(stroke.map(), (c, r) -> {
             double mean = Math.abs(c - 10) <= 1 && Math.abs(r - 15) <= 2 ? 10_100 : 10_000;
             double value = c == 10 && r == 15 ? 11_500 : 10_000;
-            return (int) Math.round(value + share(c, r, x(10), z(15), 6) * (mean - value));
+            return (int) Math.round(value + weight(c, r, x(10), z(15), 6) * (mean - value));
         });
     }
 
@@ -122,7 +122,7 @@ class HeightStrokeTest {
         assertMap(whole.map(), (c, r) -> {
             float value = 20_000;
             for (double x = 90; x <= 105; x += 2) {
-                value = (float) (value + 400 * share(c, r, x, -50, 8));
+                value = (float) (value + 400 * weight(c, r, x, -50, 8));
             }
             return Math.round(value);
         });
@@ -133,13 +133,13 @@ class HeightStrokeTest {
     void aStrokeThatLeavesTheTerrainCostsNoMoreThanItsPartThere() {
         for (double far : new double[] {1e3, 1e9, 1e300}) {
             int[] dabs = {0};
-            Dabs way = new Dabs(GROUND, 1.5, 6, 100, -50);
-            way.to(100 + far, -50, (x, z) -> {
+            Dabs path = new Dabs(GROUND, 1.5, 6, 100, -50);
+            path.to(100 + far, -50, (x, z) -> {
                 dabs[0]++;
                 assertEquals(0, (x - 100) % 1.5, 1e-6);
             });
             assertTrue(dabs[0] >= 17 && dabs[0] <= 20, far + " m: " + dabs[0]);
-            way.to(100 + far, -50 + far, (x, z) -> dabs[0] = 999);
+            path.to(100 + far, -50 + far, (x, z) -> dabs[0] = 999);
             assertTrue(dabs[0] < 999, "beside the terrain");
         }
         HeightStroke near =

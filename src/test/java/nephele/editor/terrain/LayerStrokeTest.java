@@ -50,7 +50,7 @@ class LayerStrokeTest {
         return new LayerStroke(GROUND, map, brush(effect, strength), 101, -50);
     }
 
-    private static double share(int column, int row, double x) {
+    private static double fraction(int column, int row, double x) {
         double d = Math.hypot(80 + 2 * column - x, row - 15) / 6;
         return d < 1 ? Math.pow(1 - d * d, 2) : 0;
     }
@@ -66,7 +66,7 @@ class LayerStrokeTest {
         LayerMap painted = dab(LayerMap.blank(COLUMNS, ROWS), Effect.PAINT, 0.5).map();
         for (int row = 0; row < ROWS; row++) {
             for (int column = 0; column < COLUMNS; column++) {
-                assertTexel(painted, column, row, 2, 0.5 * share(column, row, 101));
+                assertTexel(painted, column, row, 2, 0.5 * fraction(column, row, 101));
             }
         }
     }
@@ -80,7 +80,7 @@ class LayerStrokeTest {
             for (int column = 0; column < COLUMNS; column++) {
                 double left = 0.8;
                 for (double x = 101; x <= 104; x += 1.5) {
-                    left *= 1 - 0.5 * share(column, row, x);
+                    left *= 1 - 0.5 * fraction(column, row, x);
                 }
                 assertTexel(painted, column, row, 2, 1 - left);
             }
@@ -92,7 +92,7 @@ class LayerStrokeTest {
         LayerMap erased = dab(map(5, (c, r) -> 200), Effect.ERASE, 1).map();
         for (int row = 0; row < ROWS; row++) {
             for (int column = 0; column < COLUMNS; column++) {
-                assertTexel(erased, column, row, 5, 200 / 255.0 * (1 - share(column, row, 101)));
+                assertTexel(erased, column, row, 5, 200 / 255.0 * (1 - fraction(column, row, 101)));
             }
         }
         LayerStroke whole = new LayerStroke(GROUND, map(5, (c, r) -> 200), brush(Effect.ERASE, 1), 100, -50);
@@ -106,16 +106,16 @@ class LayerStrokeTest {
         int changed = 0;
         for (int row = 0; row < ROWS; row++) {
             for (int column = 0; column < COLUMNS; column++) {
-                boolean isNew = share(column, row, 101) >= 0.5;
+                boolean isNew = fraction(column, row, 101) >= 0.5;
                 changed += isNew ? 1 : 0;
                 assertTexel(painted, column, row, isNew ? 2 : 1, 1);
             }
         }
         assertTrue(changed > 9, "texels of the middle: " + changed);
         LayerMap half = dab(map(1, (c, r) -> 102), Effect.PAINT, 1).map();
-        double share = share(10, 15, 101);
-        assertTexel(half, 10, 15, 2, 0.4 * (1 - share) + share);
-        double little = share(10, 19, 101);
+        double fraction = fraction(10, 15, 101);
+        assertTexel(half, 10, 15, 2, 0.4 * (1 - fraction) + fraction);
+        double little = fraction(10, 19, 101);
         assertTrue(little > 0 && little < 0.4 * (1 - little));
         assertTexel(half, 10, 19, 1, 0.4);
     }

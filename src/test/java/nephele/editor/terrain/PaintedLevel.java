@@ -12,7 +12,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Terrain;
 
 /** A level with a flat terrain, 64 m square around the origin, in a folder of its own; heights from 0 to 10 m. */
@@ -34,7 +33,7 @@ public record PaintedLevel(Path file) {
     private static PaintedLevel in(Path folder, String layers) throws IOException {
         short[] values = new short[33 * 33];
         Arrays.fill(values, (short) 20_000);
-        Files.write(folder.resolve("flat.png"), HeightMapFile.png(new HeightMap(33, 33, 16, values)));
+        Files.write(folder.resolve("flat.png"), new HeightMap(33, 33, 16, values).png());
         return new PaintedLevel(Files.writeString(
                 folder.resolve("level.json"),
                 """
@@ -58,7 +57,7 @@ public record PaintedLevel(Path file) {
 
     /** Returns the heights of what a session shows. */
     public static HeightMap map(EditorSession session) {
-        return session.assets().decoded(terrain(session).heightMap(), HeightMap.class, HeightMapFile::read);
+        return session.assets().decoded(terrain(session).heightMap(), HeightMap.class, HeightMap::read);
     }
 
     /** Returns the contents of all files that strokes have made, by their names. */

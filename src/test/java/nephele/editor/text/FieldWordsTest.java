@@ -8,7 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.TreeSet;
 import nephele.editor.panel.model.BeaconLevel;
-import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Language;
@@ -50,8 +50,8 @@ class FieldWordsTest {
 
     @Test
     void everyKindInThePaletteHasWords() {
-        for (PaletteModel.Entry entry : PaletteModel.entries(nephele.editor.record.LevelStructure.LEVEL)) {
-            assertTrue(KindWords.known(entry.kind()).isPresent(), entry.kind());
+        for (PaletteEntry entry : PaletteEntry.all(nephele.editor.record.Entities.LEVEL)) {
+            assertTrue(EntityWords.knownKind(entry.kind()).isPresent(), entry.kind());
         }
     }
 
@@ -61,6 +61,6 @@ class FieldWordsTest {
                 RecordKind.of(BeaconLevel.Beacon.class).field("periodSeconds").orElseThrow();
         assertEquals("Period", FieldWords.of(period).english());
         assertEquals("Period", FieldWords.of(period).brazilian());
-        assertEquals("Beacon", KindWords.of("beacon").english());
+        assertEquals("Beacon", EntityWords.ofKind("beacon").english());
     }
 }

@@ -18,7 +18,6 @@ import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
@@ -131,19 +130,19 @@ public final class ToolScene {
     }
 
     public void move(Vec3 to) {
-        tool().moved(pointer(to, Button.NONE));
+        tool().moved(pointer(to));
     }
 
     public void press(Vec3 at, Modifier... held) {
-        session.drag().press(pointer(at, Button.PRIMARY, held));
+        session.drag().press(pointer(at, held));
     }
 
     public void drag(Vec3 to, Modifier... held) {
-        session.drag().move(pointer(to, Button.PRIMARY, held));
+        session.drag().move(pointer(to, held));
     }
 
     public void release(Vec3 at, Modifier... held) {
-        session.drag().release(pointer(at, Button.PRIMARY, held));
+        session.drag().release(pointer(at, held));
     }
 
     /** Presses, drags and releases. */
@@ -161,15 +160,15 @@ public final class ToolScene {
     /** Clicks twice at one place. */
     public void doubleClick(Vec3 at) {
         click(at);
-        Pointer once = pointer(at, Button.PRIMARY);
-        Pointer twice = new Pointer(kind, camera, SIZE, once.x(), once.y(), Button.PRIMARY, Set.of(), 2);
+        Pointer once = pointer(at);
+        Pointer twice = new Pointer(kind, camera, SIZE, once.x(), once.y(), Set.of(), 2);
         session.drag().press(twice);
         session.drag().release(twice);
     }
 
     /** Returns the pointer over a place. */
-    public Pointer pointer(Vec3 at, Button button, Modifier... held) {
+    public Pointer pointer(Vec3 at, Modifier... held) {
         PanePoint place = camera.project(at, SIZE).orElseThrow();
-        return new Pointer(kind, camera, SIZE, place.x(), place.y(), button, Set.of(held), 1);
+        return new Pointer(kind, camera, SIZE, place.x(), place.y(), Set.of(held), 1);
     }
 }

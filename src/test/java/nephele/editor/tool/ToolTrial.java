@@ -18,7 +18,6 @@ import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.text.Words;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
@@ -90,7 +89,7 @@ public final class ToolTrial {
         PanePoint at = camera.project(point, SIZE).orElseThrow();
         Set<Modifier> modifiers = EnumSet.noneOf(Modifier.class);
         modifiers.addAll(List.of(held));
-        return new Pointer(kind, camera, SIZE, at.x(), at.y(), Button.PRIMARY, modifiers, 1);
+        return new Pointer(kind, camera, SIZE, at.x(), at.y(), modifiers, 1);
     }
 
     public void click(Vec3 point, Modifier... held) {

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
@@ -34,6 +35,7 @@ import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PlanCamera;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -48,7 +50,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -80,6 +81,7 @@ class EditorPanelSwingTest {
                 List.of(key),
                 List.of(),
                 any -> true,
+                any -> false,
                 call -> ran.add(id),
                 EditorAction.Subject.SESSION);
     }
@@ -109,6 +111,7 @@ class EditorPanelSwingTest {
                 keys,
                 List.of(),
                 any -> true,
+                session -> session.toolEntry() == tool,
                 call -> call.session().use(tool),
                 EditorAction.Subject.SESSION);
     }
@@ -120,7 +123,7 @@ class EditorPanelSwingTest {
                 "brush", "extrude", "vertex", "edge", "clip", "rotate", "scale", "paint", "portal", "place", "measure",
                 "light", "camera", "texture", "strange")) {
             Words title = Words.same(id);
-            tools.add(new ToolEntry(id, title, title, "", id, select.make()));
+            tools.add(new ToolEntry(id, title, title, "", select.make()));
         }
         return tools.stream();
     }
@@ -154,7 +157,7 @@ class EditorPanelSwingTest {
                 bottom,
                 List.of("file.open", "file.save", "edit.undo", "edit.redo", "play.start", "not.there"));
         panel = new EditorPanel(session, commands, slots);
-        PanelPicture.layOut(panel, size);
+        panel.layOut(size);
     }
 
     private static Solid largest(Level level) {
@@ -176,19 +179,19 @@ class EditorPanelSwingTest {
     void aLanguageSwitchedLiveCutsNothingOff(Theme theme, int percent, Language language) throws Exception {
         Dimension size = percent > 100 ? new Dimension(1920, 1200) : new Dimension(1280, 800);
         open(settings(theme, percent, language), size);
-        BufferedImage picture = PanelPicture.of(panel);
+        BufferedImage picture = panel.picture();
         write(picture, theme + "-" + percent + "-" + language);
-        assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)));
+        assertEquals(List.of(), CutTexts.in(panel, session));
         JMenuBar bar = find(panel, JMenuBar.class);
         assertEquals(Menu.values().length, bar.getMenuCount());
         assertEquals(Menu.EDIT.title().in(language), bar.getMenu(1).getText());
         for (Language other : Language.values()) {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, other));
-            PanelPicture.layOut(panel, panel.getSize());
+            panel.layOut(panel.getSize());
             assertEquals(
                     Menu.TOOL.title().in(other),
                     bar.getMenu(Menu.TOOL.ordinal()).getText());
-            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), other.title());
+            assertEquals(List.of(), CutTexts.in(panel, session), other.title());
         }
     }
 
@@ -249,10 +252,7 @@ class EditorPanelSwingTest {
 
     private Vec3 selectedCentre() {
         EntityRef ref = session.document().selection().entities().get(0);
-        Record solid = session.document()
-                .entities()
-                .find(session.document().level(), ref)
-                .orElseThrow();
+        Record solid = Entities.LEVEL.find(session.document().level(), ref).orElseThrow();
         return EntityBounds.of(solid).centre();
     }
 
@@ -309,9 +309,9 @@ class EditorPanelSwingTest {
         assertTrue(panel.key(key(KeyEvent.VK_H)));
         assertEquals(List.of("brush.hollow"), ran);
         JTextField text = new JTextField();
-        assertTrue(WindowKeys.belongsTo(text, key(KeyEvent.VK_H)));
-        assertFalse(WindowKeys.belongsTo(text, key(KeyEvent.VK_F5)));
-        assertFalse(WindowKeys.belongsTo(new JLabel(), key(KeyEvent.VK_H)));
+        assertTrue(EditorWindow.belongsTo(text, key(KeyEvent.VK_H)));
+        assertFalse(EditorWindow.belongsTo(text, key(KeyEvent.VK_F5)));
+        assertFalse(EditorWindow.belongsTo(new JLabel(), key(KeyEvent.VK_H)));
         AbstractButton strange = named(panel, "tool-strange");
         strange.doClick();
         assertEquals("strange", session.toolEntry().id());
@@ -335,15 +335,15 @@ class EditorPanelSwingTest {
     void closingAsksOnlyIfSomethingWouldBeLost() {
         openSmall();
         List<String> asked = new ArrayList<>();
-        Closing.CloseQuestion never = (level, language) -> {
+        BiFunction<String, Language, Closing.Choice> never = (level, language) -> {
             asked.add(level);
-            return Closing.CloseQuestion.Choice.CANCEL;
+            return Closing.Choice.CANCEL;
         };
         assertTrue(new Closing(session, never, () -> true).isAllowed());
         session.document().edit(Words.same("x"), level -> level.with(level.materials(), List.of()));
         assertFalse(new Closing(session, never, () -> true).isAllowed());
         assertEquals(List.of("02-first-shot.json"), asked);
-        Closing.CloseQuestion save = (level, language) -> Closing.CloseQuestion.Choice.SAVE;
+        BiFunction<String, Language, Closing.Choice> save = (level, language) -> Closing.Choice.SAVE;
         assertFalse(new Closing(session, save, () -> false).isAllowed(), "a failed save loses nothing");
     }
 }

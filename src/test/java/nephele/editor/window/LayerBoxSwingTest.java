@@ -26,7 +26,6 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.Terrain.Layer;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,7 +47,7 @@ class LayerBoxSwingTest {
         EditorSlots slots = new EditorSlots(
                 null, new JLabel("outliner"), new JLabel("inspector"), new JTabbedPane(), List.of("undo"));
         panel = new EditorPanel(session, commands, slots);
-        PanelPicture.layOut(panel, new Dimension(1280, 800));
+        panel.layOut(new Dimension(1280, 800));
     }
 
     @AfterEach
@@ -113,11 +112,11 @@ class LayerBoxSwingTest {
         session.use(TerrainTool.ENTRY);
         for (Language language : Language.values()) {
             session.settings(session.settings().with(EditorSetting.LANGUAGE, language));
-            PanelPicture.layOut(panel, panel.getSize());
+            panel.layOut(panel.getSize());
             assertTrue(box().orElseThrow().getWidth() > 0);
             assertEquals(
                     WindowText.LAYER_TO_PAINT.in(language), box().orElseThrow().getToolTipText());
-            assertEquals(List.of(), CutTexts.in(panel, UserTexts.of(session)), language.title());
+            assertEquals(List.of(), CutTexts.in(panel, session), language.title());
         }
     }
 }

@@ -32,37 +32,39 @@ class SunOverLimbTest {
     @CsvSource({"-0.95, 0", "-0.5, 0", "0, 0", "0, 12000", "0.3, 2", "0.9, 80000", "1, 0", "7, 2"})
     void meansOfQuadraticFunctionsOverTheVisiblePartAreExact(double radii, double height) {
         double middle = sine(radii, height);
-        SunOverLimb disc = SunOverLimb.seen(height, middle);
-        assertEquals(exact(radii, x -> 1), disc.share(), 1e-5, "the visible share");
+        SunOverLimb disc = SunOverLimb.of(height, middle);
+        assertEquals(exact(radii, x -> 1), disc.fraction(), 1e-5, "the visible fraction");
         DoubleUnaryOperator light = x -> 2 + 0.7 * x + 0.4 * x * x;
         double perRadius = Math.sqrt(1 - middle * middle) * RADIUS;
         double low = light.applyAsDouble((disc.lowSine() - middle) / perRadius);
         double high = light.applyAsDouble((disc.highSine() - middle) / perRadius);
-        assertEquals(exact(radii, light), disc.share() * (low + high) / 2, 1e-4);
+        assertEquals(exact(radii, light), disc.fraction() * (low + high) / 2, 1e-4);
     }
 
     @Test
     void nothingOfItIsSeenBelowTheHorizonAndAllOfItHighUp() {
-        assertEquals(0, SunOverLimb.seen(3000, sine(-1.001, 3000)).share());
-        assertEquals(0, SunOverLimb.seen(0, -1).share());
-        assertEquals(new SunOverLimb(1, 1, 1), SunOverLimb.seen(0, 1));
+        assertEquals(0, SunOverLimb.of(3000, sine(-1.001, 3000)).fraction());
+        assertEquals(0, SunOverLimb.of(0, -1).fraction());
+        assertEquals(new SunOverLimb(1, 1, 1), SunOverLimb.of(0, 1));
     }
 
     @Test
     void theShareGrowsWithoutAStep() {
         double before = 0;
         for (int i = -120; i <= 120; i++) {
-            SunOverLimb disc = SunOverLimb.seen(500, sine(i / 100.0, 500));
-            assertTrue(disc.share() >= before && disc.share() - before < 0.0065, "at " + i + " hundredths of a radius");
+            SunOverLimb disc = SunOverLimb.of(500, sine(i / 100.0, 500));
+            assertTrue(
+                    disc.fraction() >= before && disc.fraction() - before < 0.0065,
+                    "at " + i + " hundredths of a radius");
             assertTrue(disc.lowSine() <= disc.highSine());
-            before = disc.share();
+            before = disc.fraction();
         }
         assertEquals(1, before);
     }
 
     @Test
     void aPointIsSeenWhollyOrNotAtAll() {
-        assertEquals(1, SunOverLimb.seen(0, 40, sine(1e-6, 40)).share());
-        assertEquals(0, SunOverLimb.seen(0, 40, sine(-1e-6, 40)).share());
+        assertEquals(1, SunOverLimb.of(0, 40, sine(1e-6, 40)).fraction());
+        assertEquals(0, SunOverLimb.of(0, 40, sine(-1e-6, 40)).fraction());
     }
 }

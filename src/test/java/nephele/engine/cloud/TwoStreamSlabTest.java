@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import nephele.engine.cloud.light.CloudOptics;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -19,6 +20,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Delta-Eddington fluxes are near those of adding-doubling, keep energy, and are finite at every limit. */
 class TwoStreamSlabTest {
+    private static DeltaScaling medium(double albedo, double g) {
+        return CloudOptics.of(albedo, g).scaled();
+    }
+
     private static final String TRUTH = "/nephele/workshop/prove/cloud/slab_truth.csv";
 
     /** Greatest errors of both fluxes by the cosine of the beam, for asymmetry 0.85 and for the smaller ones. */
@@ -45,7 +50,7 @@ class TwoStreamSlabTest {
         assertEquals(360, truth().size());
         for (double[] row : truth()) {
             double allowed = (row[1] > 0.5 ? FORWARD : MILD).get(row[3]);
-            var slab = TwoStreamSlab.underBeam(DeltaScaling.of(row[0], row[1]), row[2], row[3]);
+            var slab = TwoStreamSlab.underBeam(medium(row[0], row[1]), row[2], row[3]);
             assertEquals(row[4], slab.reflectance(), allowed, Arrays.toString(row));
             assertEquals(row[5], slab.transmittance(), allowed, Arrays.toString(row));
         }
@@ -56,18 +61,13 @@ class TwoStreamSlabTest {
     @CsvSource({"1, .0467", "4, .1948", "8, .3564", "16, .5546", "32, .7283", "64, .8476"})
     void aConservativeSlabHasThePublishedForm(double depth, double reflectance) {
         assertEquals(
-                reflectance,
-                TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), depth, 1).reflectance(),
-                6e-5);
+                reflectance, TwoStreamSlab.underBeam(medium(1, 0.85), depth, 1).reflectance(), 6e-5);
         double scaled = (1 - 0.85 * 0.85) * depth;
         double g = 0.85 / 1.85;
         double gamma1 = 0.75 * (1 - g);
         double gamma3 = (2 - 3 * g) / 4;
         double closed = (gamma1 * scaled + (gamma3 - gamma1) * (1 - Math.exp(-scaled))) / (1 + gamma1 * scaled);
-        assertEquals(
-                closed,
-                TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), depth, 1).reflectance(),
-                1e-13);
+        assertEquals(closed, TwoStreamSlab.underBeam(medium(1, 0.85), depth, 1).reflectance(), 1e-13);
     }
 
     static Stream<double[]> extremes() {
@@ -81,7 +81,7 @@ class TwoStreamSlabTest {
     @Test
     void noLimitMakesLightOrLosesIt() {
         extremes().forEach(at -> {
-            var slab = TwoStreamSlab.underBeam(DeltaScaling.of(at[0], at[1]), at[2], at[3]);
+            var slab = TwoStreamSlab.underBeam(medium(at[0], at[1]), at[2], at[3]);
             double reflected = slab.reflectance();
             double transmitted = slab.transmittance();
             boolean isShare = reflected >= -1e-12 && transmitted >= -1e-12 && reflected + transmitted <= 1 + 1e-9;
@@ -95,33 +95,28 @@ class TwoStreamSlabTest {
 
     @Test
     void aSlabOfNoDepthOrNoScatteringOnlyLetsThrough() {
+        assertEquals(0, TwoStreamSlab.underBeam(medium(1, 0.85), 0, 0.5).reflectance(), 1e-15);
+        assertEquals(1, TwoStreamSlab.underBeam(medium(1, 0.85), 0, 0.5).transmittance(), 1e-15);
+        assertEquals(0, TwoStreamSlab.underBeam(medium(0, 0.85), 3, 0.5).reflectance(), 1e-15);
         assertEquals(
-                0, TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 0, 0.5).reflectance(), 1e-15);
-        assertEquals(
-                1, TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 0, 0.5).transmittance(), 1e-15);
-        assertEquals(
-                0, TwoStreamSlab.underBeam(DeltaScaling.of(0, 0.85), 3, 0.5).reflectance(), 1e-15);
-        assertEquals(
-                Math.exp(-6),
-                TwoStreamSlab.underBeam(DeltaScaling.of(0, 0.85), 3, 0.5).transmittance(),
-                1e-15);
+                Math.exp(-6), TwoStreamSlab.underBeam(medium(0, 0.85), 3, 0.5).transmittance(), 1e-15);
     }
 
     /** At k = 1/mu0 the textbook's form is 0/0; here its neighbours and it lie on one line. */
     @ParameterizedTest
     @MethodSource("resonances")
     void nothingHappensAtTheResonance(double albedo, double g, double depth) {
-        DeltaScaling medium = DeltaScaling.of(albedo, g);
+        DeltaScaling medium = medium(albedo, g);
         double k = Math.sqrt(3 * (1 - medium.albedo()) * (1 - medium.albedo() * medium.g()));
         double cosine = 1 / k;
-        double before = TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine - 1e-4)
-                .reflectance();
-        double after = TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine + 1e-4)
-                .reflectance();
+        double before =
+                TwoStreamSlab.underBeam(medium(albedo, g), depth, cosine - 1e-4).reflectance();
+        double after =
+                TwoStreamSlab.underBeam(medium(albedo, g), depth, cosine + 1e-4).reflectance();
         for (double off : new double[] {0, 1e-15, 1e-12, 1e-9, -1e-7}) {
             assertEquals(
                     (before + after) / 2,
-                    TwoStreamSlab.underBeam(DeltaScaling.of(albedo, g), depth, cosine + off)
+                    TwoStreamSlab.underBeam(medium(albedo, g), depth, cosine + off)
                             .reflectance(),
                     1e-7);
         }
@@ -136,8 +131,8 @@ class TwoStreamSlabTest {
     void theFluenceIsWhatIsAbsorbed() {
         for (double cosine : new double[] {0.1, 0.5, 1}) {
             for (double depth : new double[] {0.1, 3, 40}) {
-                var slab = TwoStreamSlab.underBeam(DeltaScaling.of(0.99, 0.85), depth, cosine);
-                DeltaScaling medium = DeltaScaling.of(0.99, 0.85);
+                var slab = TwoStreamSlab.underBeam(medium(0.99, 0.85), depth, cosine);
+                DeltaScaling medium = medium(0.99, 0.85);
                 int steps = 20_000;
                 double absorbed = 0;
                 for (int i = 0; i < steps; i++) {
@@ -156,9 +151,9 @@ class TwoStreamSlabTest {
 
     @Test
     void fluxesMeetTheirBoundaries() {
-        var slab = TwoStreamSlab.underBeam(DeltaScaling.of(0.999, 0.85), 12, 0.6);
+        var slab = TwoStreamSlab.underBeam(medium(0.999, 0.85), 12, 0.6);
         assertEquals(0, downward(slab, 0), 1e-14);
-        double direct = Math.exp(-DeltaScaling.of(0.999, 0.85).depthFactor() * 12 / 0.6);
+        double direct = Math.exp(-medium(0.999, 0.85).depthFactor() * 12 / 0.6);
         assertEquals(slab.transmittance() - direct, downward(slab, 12), 1e-14);
         assertEquals(2 * slab.reflectance(), slab.diffuseFluence(0), 1e-14);
     }
@@ -170,7 +165,7 @@ class TwoStreamSlabTest {
     /** Semi-infinite, for an upright beam: the reflectance of adding-doubling is 0.7873. */
     @Test
     void aDeepSlabReflectsWhatItDoesNotAbsorb() {
-        var slab = TwoStreamSlab.underBeam(DeltaScaling.of(0.999, 0.85), 1e5, 1);
+        var slab = TwoStreamSlab.underBeam(medium(0.999, 0.85), 1e5, 1);
         assertEquals(0.7873, slab.reflectance(), 0.006);
         assertEquals(0, slab.transmittance(), 1e-12);
     }
@@ -178,7 +173,7 @@ class TwoStreamSlabTest {
     /** Deep inside a conservative slab the fluence falls on a straight line to the bottom. */
     @Test
     void lightDiffusesThroughADeepSlab() {
-        var slab = TwoStreamSlab.underBeam(DeltaScaling.of(1, 0.85), 1000, 1);
+        var slab = TwoStreamSlab.underBeam(medium(1, 0.85), 1000, 1);
         double step = slab.diffuseFluence(400) - slab.diffuseFluence(500);
         assertEquals(step, slab.diffuseFluence(800) - slab.diffuseFluence(900), 1e-9);
         assertEquals(3 * (1 - 0.85) * 100 * slab.transmittance(), step, 1e-9);

@@ -12,7 +12,6 @@ import nephele.engine.model.shape.BoxShape;
 import nephele.engine.model.shape.ConeShape;
 import nephele.engine.model.shape.CylinderShape;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.Shape;
 import nephele.engine.model.shape.SphereShape;
 import nephele.engine.model.shape.TorusShape;
@@ -50,9 +49,8 @@ class ShapeNormalsTest {
 
     private static Stream<Surface> surfaces() {
         return Stream.of(
-                new Surface("plane", n -> new PlaneShape(2, n, Sides.TOP), (p, n) -> new Vector3d(0, 1, 0)),
-                new Surface(
-                        "two sides", n -> new PlaneShape(2, n, Sides.BOTH), (p, n) -> new Vector3d(0, flat(n.y), 0)),
+                new Surface("plane", n -> new PlaneShape(2, n, false), (p, n) -> new Vector3d(0, 1, 0)),
+                new Surface("two sides", n -> new PlaneShape(2, n, true), (p, n) -> new Vector3d(0, flat(n.y), 0)),
                 new Surface("box", n -> new BoxShape(2, n), ShapeNormalsTest::ofBox),
                 new Surface("sphere", n -> new SphereShape(RADIUS, slices(n), Math.max(n, 2)), (p, n) -> p.div(RADIUS)),
                 new Surface("cone", n -> new ConeShape(RADIUS, HEIGHT, slices(n), n), ShapeNormalsTest::ofCone),

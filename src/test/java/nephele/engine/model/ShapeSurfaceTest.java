@@ -10,7 +10,6 @@ import nephele.engine.model.shape.BoxShape;
 import nephele.engine.model.shape.ConeShape;
 import nephele.engine.model.shape.CylinderShape;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.Shape;
 import nephele.engine.model.shape.ShapeKind;
 import nephele.engine.model.shape.SphereShape;
@@ -42,7 +41,7 @@ class ShapeSurfaceTest {
     }
 
     private static Stream<Shape> all() {
-        return Stream.concat(closed(), Stream.of(new PlaneShape(2, 3, Sides.TOP), new PlaneShape(2, 4, Sides.BOTH)));
+        return Stream.concat(closed(), Stream.of(new PlaneShape(2, 3, false), new PlaneShape(2, 4, true)));
     }
 
     @ParameterizedTest
@@ -146,7 +145,7 @@ class ShapeSurfaceTest {
 
     @Test
     void aPlanesCornersAreThePictures() {
-        Mesh mesh = new PlaneShape(2, 3, Sides.TOP).mesh();
+        Mesh mesh = new PlaneShape(2, 3, false).mesh();
         assertEquals(new Vector3d(-1, 0, 1), Triangles.position(mesh, 0));
         assertEquals(new Vector2d(0, 0), texture(mesh, 0));
         assertEquals(new Vector3d(1, 0, -1), Triangles.position(mesh, mesh.vertexCount() - 1));

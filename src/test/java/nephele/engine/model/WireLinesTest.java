@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import nephele.engine.model.shape.BoxShape;
 import nephele.engine.model.shape.ConeShape;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.SphereShape;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -27,7 +26,7 @@ class WireLinesTest {
 
     @Test
     void aPlanesDiagonalsGoFromMinusXMinusZToPlusXPlusZ() {
-        Mesh mesh = new PlaneShape(2, 1, Sides.TOP).mesh();
+        Mesh mesh = new PlaneShape(2, 1, false).mesh();
         assertEquals(true, hasLine(mesh, new Vector3d(-1, 0, -1), new Vector3d(1, 0, 1)));
     }
 

@@ -20,7 +20,7 @@ class ReciprocalBrdfTest {
 
     private static SurfacePoint surface(Vector3dc colour, double roughness, double metallic, Vector3dc toEye) {
         Brdf drawn = Brdf.of(colour, roughness, metallic, NORMAL.dot(toEye));
-        return new SurfacePoint(0, Vec3.ZERO, NORMAL, NORMAL, NORMAL, colour, drawn, toEye, Vec3.ZERO, null)
+        return new SurfacePoint(0, Vec3.ZERO, NORMAL, NORMAL, NORMAL, colour, drawn, toEye, Vec3.ZERO, false)
                 .reciprocal();
     }
 

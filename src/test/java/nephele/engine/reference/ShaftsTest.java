@@ -38,7 +38,7 @@ class ShaftsTest {
             stage.box("grey", new Vec3(within(8), within(8), within(8)), new Vec3(size(), size(), size()));
         }
         List<Brush> brushes = stage.level().solids().stream().map(Brush::of).toList();
-        return new TracedItems(StaticShapes.of(brushes), List.of(), 0, TracedBillboards.NONE, List.of());
+        return new TracedItems(StaticShapes.of(brushes), List.of(), 0, List.of(), List.of());
     }
 
     private Shafts shafts(long mostBytes) {

@@ -119,9 +119,9 @@ class VisiblePortalTest {
         float[] wall = Traced.towards(facing, middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
-                new TracedItems(StaticShapes.of(facing.level()), List.of(), 0, TracedBillboards.NONE, List.of()),
+                new TracedItems(StaticShapes.of(facing.level()), List.of(), 0, List.of(), List.of()),
                 Portals.of(facing.level()),
-                ReflectingFaces.NONE);
+                FaceMaterials.NONE);
         assertTrue(path.trace(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
         float[] along = Traced.towards(facing, middle, new Vec3(0, 0, -1), 1);

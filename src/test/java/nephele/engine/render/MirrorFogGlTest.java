@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import org.junit.jupiter.api.Test;
 
 /** Fog between the eye and mirrors keeps its colour; everything behind a mirror is tinted, fog included. */
@@ -101,10 +101,13 @@ class MirrorFogGlTest {
     void fogBeforeATintedMirrorAsksForLinearLight() {
         assertEquals(
                 Output.HDR,
-                Outputs.defaultFor(facing(AHEAD, SILVER).fog(EXTINCTION, FOG).level()));
+                QualityChoice.defaultOutput(
+                        facing(AHEAD, SILVER).fog(EXTINCTION, FOG).level()));
         assertEquals(
                 Output.DIRECT,
-                Outputs.defaultFor(facing(SILVER, SILVER).fog(EXTINCTION, FOG).level()));
-        assertEquals(Output.DIRECT, Outputs.defaultFor(facing(AHEAD, BEHIND).level()));
+                QualityChoice.defaultOutput(
+                        facing(SILVER, SILVER).fog(EXTINCTION, FOG).level()));
+        assertEquals(
+                Output.DIRECT, QualityChoice.defaultOutput(facing(AHEAD, BEHIND).level()));
     }
 }

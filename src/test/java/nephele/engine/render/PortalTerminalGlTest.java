@@ -19,7 +19,6 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.RenderSettings.Deepest;
-import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
@@ -28,6 +27,9 @@ import org.junit.jupiter.api.Test;
 
 /** Openings beyond the view budget show history or a membrane. */
 class PortalTerminalGlTest {
+    /** {@link nephele.engine.render.frame.NestedViews#MARK} as a pixel. */
+    private static final int MARK = 0xff00ff;
+
     private static final int WIDTH = 192;
     private static final int HEIGHT = 108;
     private static final Vec3 WALL = new Vec3(0.9, 0.1, 0.1);
@@ -101,7 +103,7 @@ class PortalTerminalGlTest {
                 int differing = 0;
                 for (int i = 0; i < whole.length; i++) {
                     assertTrue(first[i] != 0 && first[i] != MAGENTA);
-                    if (marked[i] == NestedViews.MARK) {
+                    if (marked[i] == MARK) {
                         assertTrue(first[i] != WALL_PIXEL, "the wall behind an opening");
                         differing++;
                     } else {
@@ -128,7 +130,7 @@ class PortalTerminalGlTest {
                 int[] other = frames(offscreen, underSky(0.6, 0.8), settings, 1);
                 int inside = 0;
                 for (int i = 0; i < marked.length; i++) {
-                    boolean isOpening = marked[i] == NestedViews.MARK;
+                    boolean isOpening = marked[i] == MARK;
                     // Ahead through the opening is up.
                     double more = isOpening ? 255 * 0.5 * 0.4 * ahead(view(offscreen), i) : 0;
                     assertEquals(more, red(other[i]) - red(one[i]), 1.01, technique + ", pixel " + i);
@@ -183,7 +185,7 @@ class PortalTerminalGlTest {
             int inside = 0;
             int alike = 0;
             for (int i = 0; i < marked.length; i++) {
-                if (marked[i] == NestedViews.MARK) {
+                if (marked[i] == MARK) {
                     assertTrue(bare[i] != WALL_PIXEL && bare[i] != 0 && bare[i] != MAGENTA);
                     counts.merge(bare[i], 1, Integer::sum);
                     alike += rimmed[i] == bare[i] ? 1 : 0;
@@ -216,13 +218,11 @@ class PortalTerminalGlTest {
             int[] through = frames(offscreen, budget(60), 1);
             int[] closed = frames(offscreen, budget(0), 1);
             for (int i = 0; i < marked.length; i++) {
-                boolean isOpening = marked[i] == NestedViews.MARK;
-                assertEquals(isOpening ? NestedViews.MARK : closed[i], marked[i]);
+                boolean isOpening = marked[i] == MARK;
+                assertEquals(isOpening ? MARK : closed[i], marked[i]);
                 assertTrue(isOpening || through[i] == closed[i]);
             }
-            long opening = Arrays.stream(marked)
-                    .filter(pixel -> pixel == NestedViews.MARK)
-                    .count();
+            long opening = Arrays.stream(marked).filter(pixel -> pixel == MARK).count();
             // 1.6 m × 1.4 m and half a disc, at 3.5 m, slightly turned: the arch's share of the picture.
             double share = (1.6 * 1.4 + Math.PI * 0.8 * 0.8 / 2) / Math.pow(2 * 3.5, 2) / (WIDTH / (double) HEIGHT);
             assertEquals(share, opening / (double) marked.length, 0.02 * share + 0.001);

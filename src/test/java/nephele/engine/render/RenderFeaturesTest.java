@@ -24,7 +24,7 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.dynamic.CharacterPresence;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import org.junit.jupiter.api.Test;
 
 /** The plan contains only what the scene requires, with a reason for each pass. */
@@ -151,13 +151,13 @@ class RenderFeaturesTest {
     @Test
     void exposureIsMeteredOnlyWhereTheLevelSaysSo() {
         Level auto = new TestLevel().autoExposure().level();
-        assertEquals(Output.HDR, Outputs.defaultFor(auto));
+        assertEquals(Output.HDR, QualityChoice.defaultOutput(auto));
         List<String> lines = FramePlan.of(FrameRequest.of(PlacedLevel.of(auto, NoFiles.AT_ALL), Output.HDR))
                 .explain();
         assertTrue(lines.contains("exposure: required by environment.exposureStops: auto, metered from the picture"));
         assertTrue(lines.contains("tonemap: required by environment.exposureStops: auto meters linear light"));
         Level fixed = new TestLevel().toneMapping(ToneCurve.CLIP, 3).level();
-        assertEquals(Output.DIRECT, Outputs.defaultFor(fixed));
+        assertEquals(Output.DIRECT, QualityChoice.defaultOutput(fixed));
         assertTrue(FramePlan.of(FrameRequest.of(PlacedLevel.of(fixed, NoFiles.AT_ALL), Output.HDR))
                 .explain()
                 .contains("exposure: not required"));

@@ -125,7 +125,7 @@ class TexturePlacementGlTest {
         List<Solid> solids = new ArrayList<>();
         for (Solid solid : level.solids()) {
             Solid bare = solid;
-            for (var said : SolidFaces.said(solid).entrySet()) {
+            for (var said : SolidFaces.authored(solid).entrySet()) {
                 Solid.Face face = said.getValue();
                 bare = SolidFaces.with(bare, said.getKey(), new Solid.Face(face.material(), face.portalable(), null));
             }

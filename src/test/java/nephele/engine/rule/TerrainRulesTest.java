@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
@@ -130,8 +129,8 @@ class TerrainRulesTest {
         List<Problem> missing = problems(MAP, said);
         assertEquals("terrains[0].layerMap", missing.get(0).path());
         TestAssets assets = TestTerrain.map(5, TestTerrain::wavy);
-        assertEquals(List.of(), problems(assets.file("layers.png", LayerMapFile.png(painted(1))), said));
-        List<Problem> beyond = problems(assets.file("layers.png", LayerMapFile.png(painted(2))), said);
+        assertEquals(List.of(), problems(assets.file("layers.png", painted(1).png()), said));
+        List<Problem> beyond = problems(assets.file("layers.png", painted(2).png()), said);
         assertEquals("terrains[0].layerMap", beyond.get(0).path());
         assertTrue(
                 beyond.get(0)
@@ -147,7 +146,8 @@ class TerrainRulesTest {
     @Test
     void aLayerBeyondAllHeightsMayBePainted() {
         Terrain said = TestTerrain.said("t", "map.r16", all(), layer(60, 70, 0, 0, 90));
-        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy).file("layers.png", LayerMapFile.png(painted(1)));
+        TestAssets assets = TestTerrain.map(5, TestTerrain::wavy)
+                .file("layers.png", painted(1).png());
         assertEquals(1, problems(assets, said).size());
         assertEquals(List.of(), problems(assets, said.withLayerMap("layers.png")));
     }

@@ -121,7 +121,7 @@ class CloudComparisonGlTest {
             assertTrue(figures.leftMillis() > 0 && figures.rightMillis() > 0, figures.toString());
             PictureDifference billboards = figures.difference();
             assertTrue(billboards.flip() > 0.002 && billboards.flip() < 0.2, billboards.toString());
-            assertNotEquals(0, billboards.lightShare(), billboards.toString());
+            assertNotEquals(0, billboards.lightExcess(), billboards.toString());
         }
         var same = new TechniquePair(CloudTechnique.VOLUME, CloudTechnique.VOLUME);
         try (var comparison = CloudComparison.load(offscreen.gl, scenes(level, same), SETTINGS)) {

@@ -47,7 +47,7 @@ class IdLevelGlTest {
                 var picture = RenderTarget.picture(gl, "ids", PixelFormat.RGBA8, WIDTH, HEIGHT);
                 var renderer = LevelRenderer.load(gl, level, opened.assets(), RenderSettings.of(Output.PLAIN))) {
             var view = Viewpoints.standard(level, opened.file(), (double) WIDTH / HEIGHT)
-                    .view(0);
+                    .apply(0);
             renderer.draw(view, picture);
             var bytes = picture.readBytes();
             for (int at = 0; at < bytes.capacity(); at += 4) {

@@ -29,15 +29,15 @@ class OwnLevelsTest {
         Path secret = Files.createDirectory(folder.resolve("a-secret"));
         secret.toFile().setReadable(false);
         try {
-            List<String> names = OwnLevels.in(folder).stream()
-                    .map(level -> OwnLevels.nameIn(folder, level))
+            List<String> names = LevelCatalogue.in(folder).stream()
+                    .map(level -> LevelCatalogue.nameIn(folder, level))
                     .toList();
             assertEquals(
                     List.of("A.zip", "b.json", Path.of("unpacked/room.json").toString()), names);
         } finally {
             secret.toFile().setReadable(true);
         }
-        assertEquals(List.of(), OwnLevels.in(folder.resolve("none")));
+        assertEquals(List.of(), LevelCatalogue.in(folder.resolve("none")));
     }
 
     /** A level is broken for the list, too, if a file that it names is missing: it could not be played. */

@@ -57,7 +57,7 @@ class ObserverReplayTest {
 
     @Test
     void aRecordingRepeatsTheSphereAndItsContacts() {
-        Playthrough walk = walk(new UnturnedInput(new Held(PlayerInput.FORWARD.turning(500, 0))));
+        Playthrough walk = walk(new Held(PlayerInput.FORWARD.turning(500, 0)).unturned());
         List<ObserverSphere> seen = spheres(walk, 240);
         Replay replay = walk.recorder().replay();
         Playthrough again = walk(new ReplayInput(replay));
@@ -71,7 +71,7 @@ class ObserverReplayTest {
     /** Forwards is away from the camera, in a straight line, until the boulder's bounds are touched. */
     @Test
     void theSphereMovesStraightAndTouchesTheBoulder() {
-        Playthrough walk = walk(new UnturnedInput(new Held(PlayerInput.FORWARD.turning(500, 0))));
+        Playthrough walk = walk(new Held(PlayerInput.FORWARD.turning(500, 0)).unturned());
         assertEquals(new Vec3(0, 0.5, 4), walk.frameState().observer().centre());
         View view = walk.view(ASPECT);
         assertEquals(opened.level().cameras().get(0).position(), view.eye());

@@ -24,7 +24,6 @@ import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -75,7 +74,7 @@ class ShotPreviewsTest {
     }
 
     private static CrosshairState.Half refused(long millimetres) {
-        return new CrosshairState.Half(Portal.NONE, Shot.REFUSED, millimetres);
+        return new CrosshairState.Half(false, Shot.REFUSED, millimetres);
     }
 
     private void assertShown(Colour shot, CrosshairState.Half expected) {
@@ -128,7 +127,7 @@ class ShotPreviewsTest {
             assertShown(Colour.FIRST, refused(30));
         }
         step(PlayerInput.NONE);
-        assertShown(Colour.FIRST, new CrosshairState.Half(Portal.NONE, Shot.OPENS, 0));
+        assertShown(Colour.FIRST, new CrosshairState.Half(false, Shot.OPENS, 0));
     }
 
     /** Beside a shot's portal on the even part, which it may move but the other shot may not cover, both are asked. */

@@ -71,7 +71,7 @@ class FrameAllocationGlTest {
     /** Returns views that move 0.25 m forward and back from the start. */
     private static List<View> views(OpenedLevel opened) {
         View start =
-                Viewpoints.standard(opened.level(), opened.file(), 16.0 / 9).view(0);
+                Viewpoints.standard(opened.level(), opened.file(), 16.0 / 9).apply(0);
         List<View> views = new ArrayList<>();
         for (int frame = 0; frame < WARM_FRAMES + FRAMES; frame++) {
             Vector3d eye = start.eye()

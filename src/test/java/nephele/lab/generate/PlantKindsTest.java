@@ -25,7 +25,7 @@ class PlantKindsTest {
     private static final long[] SEEDS = {1, 2, -77};
 
     static List<PlantKind> kinds() {
-        return PlantKinds.ALL;
+        return PlantKind.all();
     }
 
     private static Mesh read(PlantKind kind, long seed) {

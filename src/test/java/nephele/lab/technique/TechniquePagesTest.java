@@ -141,13 +141,11 @@ class TechniquePagesTest {
         List<String> known = List.of("--technique", "--eye", "--target", "--fov", "--camera", "--time", "--quality");
         for (CloudTechnique technique : built()) {
             TechniqueText text = TechniqueText.of(technique);
-            TechniqueText.Picture sample = TechniqueText.Picture.of(text.one("sample"));
-            assertTrue(
-                    Files.exists(Path.of(sample.command().level())),
-                    sample.command().level());
+            PictureCommand sample = PictureCommand.of(text.one("sample"));
+            assertTrue(Files.exists(Path.of(sample.level())), sample.level());
             for (TechniqueText.Failure failure : text.failures()) {
-                PictureCommand wrong = failure.wrong().command();
-                PictureCommand right = failure.right().command();
+                PictureCommand wrong = failure.wrong();
+                PictureCommand right = failure.right();
                 assertTrue(Files.exists(Path.of(wrong.level())), wrong.level());
                 assertTrue(known.containsAll(wrong.options().keySet()), wrong.words());
                 for (String option : List.of("--eye", "--target", "--fov", "--camera", "--time")) {

@@ -34,7 +34,7 @@ class CoursePicturesGlTest {
     private static final int CORNER_PIXELS = 8;
 
     private static final SceneAppearance WIREFRAME =
-            SceneAppearance.USUAL.with(Shading.WIREFRAME).with(SceneAppearance.Axes.SHOWN);
+            SceneAppearance.USUAL.with(Shading.WIREFRAME).withAxes(true);
 
     /**
      * Each pixel of a line has one of the published picture within a pixel, and vice versa; also by colour, except
@@ -72,7 +72,7 @@ class CoursePicturesGlTest {
     @Test
     void litColoursAgree() throws IOException {
         int[] theirs = published("test_4_3", 1, SIZE);
-        int[] ours = drawn("test_4_3", SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN), SIZE);
+        int[] ours = drawn("test_4_3", SceneAppearance.USUAL.withAxes(true), SIZE);
         List<String> off = new ArrayList<>();
         int compared = 0;
         for (int i = 0; i < ours.length; i++) {

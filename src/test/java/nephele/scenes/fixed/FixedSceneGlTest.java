@@ -94,7 +94,7 @@ class FixedSceneGlTest {
     @Test
     void axesCrossThePictureFromAnywhere() {
         var sources = new Sources(scenes.source(world(group("", model("box_1_1.3d", "")))), null, null);
-        var look = SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN);
+        var look = SceneAppearance.USUAL.withAxes(true);
         var far = new XmlScene.Eye(new Vec3(0, 3, 900), new Vec3(0, 3, 0), new Vec3(0, 1, 0), 60, 1, 1000);
         try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
             drawing.draw(FixedSceneDrawing.view(far, 1), 0, new Matrix4d(), look, scenes.picture);
@@ -113,7 +113,7 @@ class FixedSceneGlTest {
     void aCrossShowsTheDirectionsWhereTheEyeIsOnAnAxis() {
         var sources = new Sources(
                 scenes.source(world(group("<translate x='0' y='0' z='-50'/>", model("box_1_1.3d", "")))), null, null);
-        var look = SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN);
+        var look = SceneAppearance.USUAL.withAxes(true);
         try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
             assertEquals(0, crossPixels(drawing, new Vec3(9, 9, 9), look));
             assertTrue(crossPixels(drawing, Vec3.ZERO, look) > 20);
@@ -268,12 +268,7 @@ class FixedSceneGlTest {
             long start = 0;
             for (int frame = -100; frame < 100; frame++) {
                 start = frame == 0 ? threads.getCurrentThreadAllocatedBytes() : start;
-                drawing.draw(
-                        view,
-                        frame / 60.0,
-                        place,
-                        SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN),
-                        scenes.picture);
+                drawing.draw(view, frame / 60.0, place, SceneAppearance.USUAL.withAxes(true), scenes.picture);
             }
             long perFrame = (threads.getCurrentThreadAllocatedBytes() - start) / 100;
             assertTrue(perFrame <= 2048, perFrame + " bytes a frame");

@@ -26,15 +26,15 @@ class SpringTest {
         }
 
         double force() {
-            return Math.hypot(spring.shownRight(), spring.shownAhead());
+            return Math.hypot(spring.currentRight(), spring.currentAhead());
         }
 
         double entityRight() {
-            return cameraRight + spring.shownRight();
+            return cameraRight + spring.currentRight();
         }
 
         double entityAhead() {
-            return cameraAhead + spring.shownAhead();
+            return cameraAhead + spring.currentAhead();
         }
     }
 
@@ -45,8 +45,8 @@ class SpringTest {
     private static void assertSameTrack(Track expected, Track actual, double tolerance) {
         assertEquals(expected.cameraRight, actual.cameraRight, tolerance, "camera to the right");
         assertEquals(expected.cameraAhead, actual.cameraAhead, tolerance, "camera ahead");
-        assertEquals(expected.spring.shownRight(), actual.spring.shownRight(), tolerance, "force to the right");
-        assertEquals(expected.spring.shownAhead(), actual.spring.shownAhead(), tolerance, "force ahead");
+        assertEquals(expected.spring.currentRight(), actual.spring.currentRight(), tolerance, "force to the right");
+        assertEquals(expected.spring.currentAhead(), actual.spring.currentAhead(), tolerance, "force ahead");
     }
 
     @Test
@@ -68,8 +68,8 @@ class SpringTest {
         double sin = Math.sin(Math.toRadians(degrees));
         assertEquals(11 * cos, there.cameraRight, 1e-12);
         assertEquals(11 * sin, there.cameraAhead, 1e-12);
-        assertEquals(cos, there.spring.shownRight(), 1e-12);
-        assertEquals(sin, there.spring.shownAhead(), 1e-12);
+        assertEquals(cos, there.spring.currentRight(), 1e-12);
+        assertEquals(sin, there.spring.currentAhead(), 1e-12);
     }
 
     @Test
@@ -91,7 +91,7 @@ class SpringTest {
     void aKeyDuringTheReturnGoesOnFromWhereTheEntityIs() {
         var returning = Track.atRest().after(1, towards(90)).after(0.3 + Spring.RETURN_SECONDS / 2, Steering.NONE);
         var moved = returning.after(0.01, towards(270));
-        assertEquals(0.5 - 0.01 * SPEED, moved.spring.shownAhead(), 1e-12);
+        assertEquals(0.5 - 0.01 * SPEED, moved.spring.currentAhead(), 1e-12);
         assertEquals(returning.cameraAhead, moved.cameraAhead, 1e-12, "it goes alone again");
     }
 
@@ -116,8 +116,8 @@ class SpringTest {
             ahead /= length;
         }
         var exact = towed.after(seconds, steering);
-        assertEquals(right, exact.spring.shownRight(), 1e-5);
-        assertEquals(ahead, exact.spring.shownAhead(), 1e-5);
+        assertEquals(right, exact.spring.currentRight(), 1e-5);
+        assertEquals(ahead, exact.spring.currentAhead(), 1e-5);
         assertEquals(towed.entityRight() + steering.right() * SPEED * seconds, exact.entityRight(), 1e-12);
         assertEquals(towed.entityAhead() + steering.ahead() * SPEED * seconds, exact.entityAhead(), 1e-12);
     }
@@ -200,7 +200,7 @@ class SpringTest {
         Spring.Step step = Spring.atRest(0).after(0.5, towards(90));
         assertEquals(3, step.cameraAhead(), 1e-12);
         assertEquals(0, step.cameraRight(), 1e-12);
-        assertEquals(0, step.spring().shownAhead());
+        assertEquals(0, step.spring().currentAhead());
     }
 
     /** Returns a state at rest, moving alone, towed, paused or returning. */

@@ -142,7 +142,7 @@ class ViewerStateTest {
         viewing.press(ViewerKey.SHADING);
         assertEquals(Shading.FLAT, viewing.look().shading());
         viewing.press(ViewerKey.AXES);
-        assertEquals(SceneAppearance.Axes.SHOWN, viewing.look().axes());
+        assertTrue(viewing.look().axes());
         viewing.press(ViewerKey.DIFFUSE);
         assertEquals(
                 Set.of(LightTerm.AMBIENT, LightTerm.SPECULAR, LightTerm.EMISSIVE),

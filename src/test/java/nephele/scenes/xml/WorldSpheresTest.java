@@ -48,7 +48,9 @@ class WorldSpheresTest {
     }
 
     private void place(List<Step> steps) {
-        new StepFrames(steps).at(0, new Matrix4d(), frame);
+        var group = new StepFrames(null, steps);
+        group.at(0);
+        frame.set(group.worldFromGroup());
     }
 
     @Test

@@ -16,7 +16,6 @@ import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.workshop.art.bench.BenchPixels;
 import nephele.workshop.art.material.TextureRecipe;
-import nephele.workshop.art.material.Textures;
 import nephele.workshop.art.paint.Surface;
 import nephele.workshop.art.picture.PictureRecipe;
 import nephele.workshop.art.picture.SignPainter;
@@ -32,7 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Execution(ExecutionMode.CONCURRENT)
 class ArtFilesTest {
     static Stream<String> recipes() {
-        return Textures.ALL.stream().map(TextureRecipe::name);
+        return TextureRecipe.ALL.stream().map(TextureRecipe::name);
     }
 
     @ParameterizedTest
@@ -122,7 +121,7 @@ class ArtFilesTest {
     }
 
     private static TextureRecipe recipe(String name) {
-        return Textures.ALL.stream()
+        return TextureRecipe.ALL.stream()
                 .filter(recipe -> recipe.name().equals(name))
                 .findFirst()
                 .orElseThrow();

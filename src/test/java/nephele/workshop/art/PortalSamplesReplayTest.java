@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
@@ -81,8 +80,8 @@ class PortalSamplesReplayTest {
         assertEquals(0, state.faults());
         assertEquals(canyon.centre().x(), feet.x(), 2);
         assertTrue(feet.z() < 38, "beyond the plinth: " + feet);
-        HeightField ground = TerrainField.of(
-                canyon, opened.assets().decoded(canyon.heightMap(), HeightMap.class, HeightMapFile::read));
+        HeightField ground =
+                TerrainField.of(canyon, opened.assets().decoded(canyon.heightMap(), HeightMap.class, HeightMap::read));
         assertEquals(HeightFieldSurface.y(ground, feet.x(), feet.z()), feet.y(), 0.1);
     }
 

@@ -34,7 +34,7 @@ class StonesMapTest {
 
     @Test
     void committedGrowthIsWhatTheCodePaints() throws IOException {
-        for (PictureRecipe recipe : StonesGrowth.PICTURES) {
+        for (PictureRecipe recipe : StonesMap.GROWTH) {
             byte[] kept = Files.readAllBytes(Path.of("assets", recipe.file()));
             BufferedImage painted = recipe.painter().get();
             int[] wanted =

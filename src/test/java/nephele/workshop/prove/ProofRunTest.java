@@ -132,15 +132,15 @@ class ProofRunTest {
         var table = new ProofTable(folder.resolve("docs/proofs.md"));
         var proof = new Sevens();
         var result = new ProofResult(50, 0, List.of(Figure.greatest("pause", 1.25, "ms")), List.of());
-        table.write(proof, result, new ProofTable.Circumstances("2026-01-01", "abc", "a machine"));
-        table.write(proof, result, new ProofTable.Circumstances("2026-01-02", "def", "a machine"));
+        table.write(proof, result, "2026-01-01", "abc", "a machine");
+        table.write(proof, result, "2026-01-02", "def", "a machine");
         var rows = Files.readAllLines(folder.resolve("docs/proofs.md")).stream()
                 .filter(line -> line.startsWith("| sevens "))
                 .toList();
         assertEquals(1, rows.size());
         assertTrue(rows.get(0).contains(" | 50 numbers | "), rows.get(0));
         var part = new ProofResult(8, 0, List.of(), List.of());
-        table.write(proof, part, new ProofTable.Circumstances("2026-01-03", "fed", "a machine"));
+        table.write(proof, part, "2026-01-03", "fed", "a machine");
         assertTrue(Files.readString(folder.resolve("docs/proofs.md")).contains(" | 8 of 50 numbers | "));
         assertTrue(rows.get(0).contains("| pause 1.2500 ms | 2026-01-02 | def |"), rows.get(0));
     }

@@ -34,7 +34,7 @@ class SolutionsReplayTest {
     private static final Path REPLAYS = LEVELS.resolve("replays");
 
     static Stream<Solution> solutions() {
-        return Solutions.ALL.stream();
+        return Solution.ALL.stream();
     }
 
     private static PlacedLevel level(Solution solution) {
@@ -107,7 +107,7 @@ class SolutionsReplayTest {
         "4, a46968574446896f"
     })
     void recordingEndsInItsGoldenState(int index, String hash) throws IOException {
-        Solution solution = Solutions.ALL.get(index);
+        Solution solution = Solution.ALL.get(index);
         assertEquals(
                 hash, Long.toHexString(play(recorded(solution), level(solution)).hash()));
     }
@@ -115,7 +115,7 @@ class SolutionsReplayTest {
     /** Level 04 needs the crate in the garden, in front of the terrace, and not only a way in. */
     @Test
     void withoutTheCrateTheTerraceIsTooHigh() throws IOException {
-        Solution solution = Solutions.ALL.get(2);
+        Solution solution = Solution.ALL.get(2);
         PlacedLevel level = level(solution);
         Vec3 crate = play(recorded(solution), level).world().bodies().state(0).centre();
         assertEquals(0.3, crate.y(), 0.01);
@@ -136,6 +136,6 @@ class SolutionsReplayTest {
         }
         assertEquals(
                 levels,
-                new TreeSet<>(Solutions.ALL.stream().map(Solution::levelFile).toList()));
+                new TreeSet<>(Solution.ALL.stream().map(Solution::levelFile).toList()));
     }
 }

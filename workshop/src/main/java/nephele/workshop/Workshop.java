@@ -10,7 +10,6 @@ import nephele.app.command.Command;
 import nephele.app.command.CommandEntry;
 import nephele.app.command.Commands;
 import nephele.app.command.OptionRange;
-import nephele.app.command.ReferenceOptions;
 import nephele.engine.reference.tile.Shard;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
@@ -77,7 +76,6 @@ public final class Workshop {
         @Option(
                 names = "--shard",
                 paramLabel = "i/n",
-                converter = ReferenceOptions.ShardConverter.class,
                 description =
                         "Run the i-th of n equal shares, for n processes; the last one to end writes the row of all.")
         private Shard shard;
@@ -139,8 +137,7 @@ public final class Workshop {
             terminal.out().println(ProofTable.summary(proof, result));
             if (record || result.units() >= proof.claim().fullCount()) {
                 String date = LocalDate.now(ZoneOffset.UTC).toString();
-                new ProofTable(TABLE)
-                        .write(proof, result, new ProofTable.Circumstances(date, commit, Provenance.machine()));
+                new ProofTable(TABLE).write(proof, result, date, commit, Provenance.machine());
             }
             return result;
         }

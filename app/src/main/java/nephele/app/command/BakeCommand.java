@@ -45,7 +45,6 @@ final class BakeCommand implements Command {
     @Option(
             names = "--eye",
             paramLabel = "x,y,z",
-            converter = NumberList.PointConverter.class,
             description = "The place that sees the sky (default: the player's start, else the origin).")
     private Vec3 eye;
 

@@ -3,7 +3,6 @@ package nephele.app.command;
 import java.util.stream.IntStream;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.render.gl.GlContext;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
@@ -19,6 +18,7 @@ import nephele.lab.bench.SceneDrawing;
 import nephele.scenes.file.OpenedScene;
 import nephele.scenes.file.SceneName;
 import nephele.scenes.fixed.FixedSceneDrawing;
+import nephele.scenes.fixed.SceneAppearance;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -95,6 +95,7 @@ final class BenchCommand implements Command {
                         gl,
                         FixedSceneDrawing.load(gl, opened.sources()),
                         view,
+                        SceneAppearance.USUAL,
                         picture.target(gl),
                         frames == null ? 1 : frames)) {
             print(times(gl, drawing), terminal);
@@ -105,7 +106,7 @@ final class BenchCommand implements Command {
     private void measure(OpenedLevel opened, Terminal terminal) {
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         try (var gl = GlContext.offscreen();
-                var drawing = AssetProblems.named(opened, () -> drawing(opened, gl))) {
+                var drawing = opened.reporting(() -> drawing(opened, gl))) {
             print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
@@ -128,7 +129,7 @@ final class BenchCommand implements Command {
                 ? Viewpoints.standard(opened.level(), opened.file(), picture.aspect())
                 : Viewpoints.named(opened.level(), opened.file(), camera, picture.aspect());
         var views = IntStream.range(0, roundLength(opened))
-                .mapToObj(viewpoint::view)
+                .mapToObj(viewpoint::apply)
                 .toList();
         var renderer = picture.renderer(opened, gl, null, PrintedProgress.ofBake(System.err));
         try {

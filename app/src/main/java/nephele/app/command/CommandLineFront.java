@@ -1,15 +1,11 @@
 package nephele.app.command;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import nephele.engine.asset.FileName;
-import nephele.engine.level.CloudTechnique;
-import nephele.engine.render.frame.Output;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.ProgramVersion;
 import nephele.host.terminal.Terminal;
@@ -17,7 +13,6 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
@@ -79,13 +74,9 @@ public final class CommandLineFront {
     private ExitCode run(CommandEntry entry, Command command, String[] arguments) {
         var commandLine = new CommandLine(command);
         var common = new CommonOptions();
-        commandLine
-                .addMixin("common", common)
-                .setExpandAtFiles(false)
-                .registerConverter(Path.class, CommandLineFront::path)
-                .registerConverter(Output.class, new WordConverter<>(Output.class))
-                .registerConverter(ReferenceOptions.Switch.class, new WordConverter<>(ReferenceOptions.Switch.class))
-                .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
+        commandLine.addMixin("common", common).setExpandAtFiles(false);
+        OptionValues.register(commandLine);
+        command.register(commandLine);
         commandLine
                 .getCommandSpec()
                 .name("nephele " + entry.name())
@@ -98,7 +89,7 @@ public final class CommandLineFront {
                 return ExitCode.DONE;
             }
             OptionRange.check(commandLine, parsed);
-            return command.run(common.verbose ? terminal.with(Terminal.Detail.VERBOSE) : terminal);
+            return command.run(terminal.verbose(common.verbose));
         } catch (ParameterException wrongUsage) {
             terminal.err()
                     .println("nephele " + entry.name() + ": " + OptionRange.message(wrongUsage) + proposal(wrongUsage));
@@ -106,16 +97,8 @@ public final class CommandLineFront {
             return ExitCode.USAGE;
         } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {
             var explained = Explanation.of(failure, List.of(arguments));
-            return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
+            return explained.report(terminal, "nephele " + entry.name(), common.verbose);
         }
-    }
-
-    private static Path path(String typed) {
-        String objection = FileName.objection(typed);
-        if (objection != null) {
-            throw new TypeConversionException(FileName.printable(typed) + ": " + objection);
-        }
-        return Path.of(typed);
     }
 
     /** Returns a question about an unknown option that resembles a known one. */

@@ -1,13 +1,15 @@
 package nephele.app.command;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import nephele.app.window.SystemDisplay;
-import nephele.editor.pane.OpeningViews;
+import nephele.editor.play.WarmGame;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorFiles;
 import nephele.editor.session.EditorSession;
@@ -28,9 +30,30 @@ import nephele.scenes.file.SceneName;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Opens the level editor, or runs a script of its actions without a display. */
+/**
+ * Opens the level editor, or runs a script of its actions without a display. The editor starts further processes, of the
+ * same Java and the same classes as this one.
+ */
 @picocli.CommandLine.Command
 final class EditCommand implements Command {
+    /** The main class, by name, because it uses this package. */
+    private static final String MAIN_CLASS = "nephele.app.Main";
+
+    private static final int FIRST_WITH_UNSAFE_WARNINGS = 23;
+
+    /** The subjects whose figures are those of the level's pictures. */
+    private static final List<String> REPORT_SUBJECTS = List.of(
+            "quality",
+            "pictureResolution",
+            "edgeFilter",
+            "shadowFilter",
+            "lightShadows",
+            "portalTechnique",
+            "viewBudget",
+            "portalResolution",
+            "samples",
+            "anisotropy");
+
     @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file (default: a new level).")
     private String level;
 
@@ -59,19 +82,16 @@ final class EditCommand implements Command {
         DocumentFile.Opened opened = level == null ? DocumentFile.untitled() : DocumentFile.open(level);
         opened.notice().ifPresent(terminal.err()::println);
         EditorSession session = new EditorSession(opened.file(), opened.level(), opened.assets(), settings);
-        session.panes(panes -> OpeningViews.of(opened.level(), panes));
+        session.panes(panes -> panes.opened(opened.level()));
         session.fileServices(FileServices.of(files).with(EditCommand::importScene));
-        session.proving().trade().madeBy(OwnCommandLine::tradeReport);
+        session.proving().trade().madeBy(EditCommand::tradeReport);
         if (script != null) {
             return runScript(session, terminal);
         }
         terminal.shown().run();
         CountDownLatch ended = new CountDownLatch(1);
         new WindowedEditing(
-                        session,
-                        files,
-                        () -> OwnCommandLine.waitingGame(session.file().path().orElse(null)),
-                        terminal.err()::println)
+                        session, files, () -> waitingGame(session.file().path().orElse(null)), terminal.err()::println)
                 .open(ended::countDown);
         ended.await();
         return ExitCode.DONE;
@@ -98,5 +118,55 @@ final class EditCommand implements Command {
         } catch (IOException problem) {
             throw CommandFailure.input(script + ": can't be read: " + AtomicFile.reason(problem));
         }
+    }
+
+    /**
+     * Returns the command line of the game that waits for the editor.
+     *
+     * @param level the file of the open level, with which the game warms itself; {@code null} for none
+     */
+    static List<String> waitingGame(Path level) {
+        String classPath = System.getProperty("java.class.path");
+        var words = new ArrayList<String>();
+        words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        words.addAll(WarmGame.JAVA_OPTIONS);
+        words.addAll(archive(classPath));
+        if (Runtime.version().feature() >= FIRST_WITH_UNSAFE_WARNINGS) {
+            words.add("--sun-misc-unsafe-memory-access=allow");
+        }
+        words.addAll(List.of("-cp", classPath, MAIN_CLASS, "play", "--warm"));
+        if (level != null && Files.isRegularFile(level)) {
+            words.add(level.toAbsolutePath().toString());
+        }
+        return words;
+    }
+
+    /** Returns the options for the archive of parsed classes that the start script keeps beside the jar, if it is there. */
+    private static List<String> archive(String classPath) {
+        if (!classPath.endsWith(".jar")) {
+            return List.of();
+        }
+        var name = "nephele-java" + Runtime.version().feature() + ".jsa";
+        Path archive = Path.of(classPath).toAbsolutePath().resolveSibling(name);
+        return archive.toFile().length() > 0 && Files.isReadable(archive)
+                ? List.of("-XX:SharedArchiveFile=" + archive, "-Xlog:cds=off", "-Xlog:cds+dynamic=off")
+                : List.of();
+    }
+
+    /** Returns the command line of the report that the editor asks for. */
+    static List<String> tradeReport(Path level, Path out) {
+        List<String> words = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                MAIN_CLASS,
+                "trade",
+                "--quick",
+                "--level",
+                level.toString(),
+                "--out",
+                out.toString()));
+        words.addAll(REPORT_SUBJECTS);
+        return words;
     }
 }

@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.sim.state.Assist;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
@@ -29,7 +29,7 @@ final class ExplainCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         var opened = new LevelName(level).open();
-        FramePlan.of(FrameRequest.of(opened.placed(), Outputs.defaultFor(opened.level())))
+        FramePlan.of(FrameRequest.of(opened.placed(), QualityChoice.defaultOutput(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
         PortalGun gun = opened.level().portalGun();

@@ -56,10 +56,10 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
             return new Explanation(
                     ExitCode.ENVIRONMENT, "out of memory; give Java more, for example `java -Xmx4g -jar …`", failure);
         }
-        return new Explanation(ExitCode.INPUT, reported(failure, arguments), failure);
+        return new Explanation(ExitCode.INPUT, crash(failure, arguments), failure);
     }
 
-    ExitCode tell(Terminal terminal, String command, boolean withStackTrace) {
+    ExitCode report(Terminal terminal, String command, boolean withStackTrace) {
         terminal.out().flush();
         boolean namesTheFile = failure instanceof LevelFormatException || failure instanceof ModelFileException;
         terminal.err().println(namesTheFile ? message : command + ": " + message);
@@ -74,7 +74,7 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
                 + "\nOn Debian or Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri";
     }
 
-    private static String reported(Throwable crash, List<String> arguments) {
+    private static String crash(Throwable crash, List<String> arguments) {
         try {
             var file = new CrashReport(arguments, Instant.now(), crash).write();
             return "this is a bug in Nephele, not in your input. Please report it with the file " + file;

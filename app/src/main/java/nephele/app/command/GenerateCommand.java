@@ -12,7 +12,6 @@ import nephele.engine.model.file.MeshText;
 import nephele.engine.model.shape.BezierPatches;
 import nephele.engine.model.shape.BezierShape;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.Shape;
 import nephele.engine.model.shape.ShapeKind;
 import nephele.engine.model.shape.ShapeParameter;
@@ -21,7 +20,6 @@ import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import nephele.lab.generate.PlantKind;
 import nephele.lab.generate.PlantKind.Family;
-import nephele.lab.generate.PlantKinds;
 import nephele.lab.generate.TerrainGenerator;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -138,16 +136,16 @@ final class GenerateCommand implements Command {
         if (!(shape instanceof PlaneShape plane)) {
             throw CommandFailure.usage("--two-sided belongs to plane: a " + kind.word() + " has no second side");
         }
-        return new PlaneShape(plane.length(), plane.divisions(), Sides.BOTH);
+        return new PlaneShape(plane.length(), plane.divisions(), true);
     }
 
     private byte[] grown(Family family, List<String> words) {
         if (words.size() != 2 || twoSided) {
             throw CommandFailure.usage(family.word() + " takes KIND, SEED and the file to write. " + help());
         }
-        PlantKind kind = PlantKinds.named(family, words.get(0))
+        PlantKind kind = PlantKind.named(family, words.get(0))
                 .orElseThrow(() -> CommandFailure.usage(words.get(0) + " is no kind of " + family.word() + ": use "
-                        + PlantKinds.words(family) + ". " + help()));
+                        + PlantKind.words(family) + ". " + help()));
         return MeshText.of(kind.grown(seed(words.get(1))));
     }
 

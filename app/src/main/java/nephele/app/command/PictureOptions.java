@@ -4,6 +4,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import nephele.app.window.Size;
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
@@ -20,11 +21,7 @@ import picocli.CommandLine.Option;
 
 /** The options of an offscreen picture of a level, shared by measuring and saving. */
 final class PictureOptions {
-    @Option(
-            names = "--size",
-            paramLabel = "WxH",
-            converter = Size.Converter.class,
-            description = "Picture in pixels (default: 1280x720).")
+    @Option(names = "--size", paramLabel = "WxH", description = "Picture in pixels (default: 1280x720).")
     private Size size = Size.DEFAULT;
 
     @Option(

@@ -16,8 +16,8 @@ import nephele.app.play.WaitingGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.view.SceneViewer;
+import nephele.app.window.Size;
 import nephele.app.window.SystemDisplay;
-import nephele.app.window.WindowSize;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
@@ -26,12 +26,11 @@ import nephele.host.compare.TechniquePair;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
-import nephele.host.named.ReplayOrigin;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import nephele.host.userfile.UserFolders;
-import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.TypeConversionException;
@@ -53,7 +52,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--from",
             paramLabel = "x,y,z,yawDeg,pitchDeg",
-            converter = NumberList.StartConverter.class,
             description = "Begin with the feet here, looking there.")
     private PlayerStart from;
 
@@ -79,7 +77,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--upright-rate",
             paramLabel = "DEG_PER_SECOND|instant",
-            converter = UprightRateConverter.class,
             description = {
                 "How fast the view turns upright after a portal has left it leaning: 10 or more, or instant",
                 "(default: 360). Stored with --record; a replay brings its own."
@@ -96,7 +93,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--compare",
             paramLabel = "A,B",
-            converter = PairConverter.class,
             description = {
                 "Draw the clouds of LEVEL by two techniques, A left and B right of a wipe that ← and → move:",
                 "auto, skybox, skyplane, procedural, billboard, particles, volume."
@@ -109,7 +105,6 @@ final class PlayCommand implements Command {
     @Option(
             names = "--size",
             paramLabel = "WxH",
-            converter = Size.Converter.class,
             description = "The window or picture in pixels (default: the settings' resolution, else 1280x720).")
     private Size size;
 
@@ -140,6 +135,11 @@ final class PlayCommand implements Command {
     }
 
     @Override
+    public void register(CommandLine commandLine) {
+        commandLine.registerConverter(UprightRate.class, PlayCommand::uprightRate);
+    }
+
+    @Override
     public ExitCode run(Terminal terminal) throws IOException {
         var request = request(terminal);
         boolean windowed = SystemDisplay.isPresent();
@@ -167,7 +167,7 @@ final class PlayCommand implements Command {
         }
         boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
         var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
-        var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
+        var log = terminal.isVerbose() ? terminal.err() : null;
         var files = new PlayerFiles(UserFolders.ofThisUser());
         files.takeProblems().forEach(terminal.err()::println);
         var picture = picture(Settings.resolution(files.settings()));
@@ -198,8 +198,8 @@ final class PlayCommand implements Command {
     }
 
     /** @param chosen by the player's settings; null for none */
-    private PlayRequest.Picture picture(WindowSize chosen) {
-        Size usual = chosen == null ? Size.DEFAULT : new Size(chosen.width(), chosen.height());
+    private PlayRequest.Picture picture(Size chosen) {
+        Size usual = chosen == null ? Size.DEFAULT : chosen;
         Size pixels = size == null ? usual : size;
         return new PlayRequest.Picture(pixels.width(), pixels.height(), fullScreen);
     }
@@ -213,7 +213,7 @@ final class PlayCommand implements Command {
         }
         Replay read = LevelName.replay(replay);
         if (read.levelName() != null || read.levelSha256() != null) {
-            ReplayOrigin.require(name.open(), replay, read, terminal.err());
+            name.open().requireRecordedHere(read, replay, terminal.err());
         }
         if (takeOver != null && (takeOver < 0 || takeOver > read.ticks())) {
             throw CommandFailure.usage(
@@ -274,36 +274,20 @@ final class PlayCommand implements Command {
                         + " and none"));
     }
 
-    /** Parses two techniques of clouds, such as `particles,volume`. */
-    static final class PairConverter implements ITypeConverter<TechniquePair> {
-        @Override
-        public TechniquePair convert(String text) {
-            try {
-                return TechniquePair.parse(text);
-            } catch (IllegalArgumentException wrong) {
-                throw new TypeConversionException(wrong.getMessage());
-            }
-        }
-    }
-
     /** The rate of {@code --upright-rate}, which may also be a word. */
     record UprightRate(int degreesPerSecond) {}
 
-    /** Reads whole degrees per second, or {@code instant}. */
-    static final class UprightRateConverter implements ITypeConverter<UprightRate> {
-        @Override
-        public UprightRate convert(String text) {
-            if (text.equals("instant")) {
-                return new UprightRate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
-            }
-            int rate = text.matches("[0-9]{1,6}") ? Integer.parseInt(text) : 0;
-            if (rate < SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND
-                    || rate > SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND) {
-                throw new TypeConversionException("'" + text + "' must be `instant` or whole degrees per second from "
-                        + SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND + " to "
-                        + SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
-            }
-            return new UprightRate(rate);
+    private static UprightRate uprightRate(String text) {
+        if (text.equals("instant")) {
+            return new UprightRate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
         }
+        int rate = text.matches("[0-9]{1,6}") ? Integer.parseInt(text) : 0;
+        if (rate < SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND
+                || rate > SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND) {
+            throw new TypeConversionException("'" + text + "' must be `instant` or whole degrees per second from "
+                    + SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND + " to "
+                    + SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
+        }
+        return new UprightRate(rate);
     }
 }

@@ -21,15 +21,12 @@ import nephele.engine.reference.tile.TiledPicture;
 import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.ResumableTrace;
 import nephele.lab.bake.TracedPictures;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
 public final class ReferenceOptions {
@@ -73,7 +70,6 @@ public final class ReferenceOptions {
     @Option(
             names = "--shard",
             paramLabel = "i/n",
-            converter = ShardConverter.class,
             description = "Trace every n-th tile of --reference only, from the i-th on, into FILE.i-of-n.part: for n"
                     + " machines.")
     private Shard shard;
@@ -134,15 +130,15 @@ public final class ReferenceOptions {
     }
 
     /** Returns what is seen with the exposure of this view at its time, if the level's radiance depends on it. */
-    Seen exposed(Seen seen, PictureOptions picture) {
-        OpenedLevel opened = seen.opened;
+    ViewedLevel exposed(ViewedLevel viewed, PictureOptions picture) {
+        OpenedLevel opened = viewed.opened;
         if (picture.output(opened) == Output.PLAIN || !TracedExposure.isNeeded(opened.level())) {
-            return seen;
+            return viewed;
         }
-        var eye = TracedPictures.pinhole(seen.view);
-        PlacedLevel metered = AssetProblems.named(
-                opened, () -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, seen.seconds));
-        return new Seen(opened.edited(metered), seen.view, seen.seconds);
+        var eye = TracedPictures.pinhole(viewed.view);
+        PlacedLevel metered =
+                opened.reporting(() -> TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, viewed.seconds));
+        return new ViewedLevel(opened.edited(metered), viewed.view, viewed.seconds);
     }
 
     boolean isMerge() {
@@ -172,8 +168,8 @@ public final class ReferenceOptions {
         Capture.pfm(rgb, picture.tiles().width(), picture.tiles().height(), file);
     }
 
-    /** Where a picture is seen from, and when. */
-    record Seen(OpenedLevel opened, View view, double seconds) {}
+    /** A level, the view of it and the time of a picture. */
+    record ViewedLevel(OpenedLevel opened, View view, double seconds) {}
 
     /**
      * Traces a picture or a shard of it and saves it. A picture of ids has one sample, in the centre of each pixel, as ids
@@ -181,8 +177,8 @@ public final class ReferenceOptions {
      *
      * @param save writes linear radiance, the bottom row first
      */
-    void trace(Seen seen, PictureOptions picture, Path out, Consumer<float[]> save, Terminal terminal) {
-        boolean isPlain = picture.output(seen.opened) == Output.PLAIN;
+    void trace(ViewedLevel viewed, PictureOptions picture, Path out, Consumer<float[]> save, Terminal terminal) {
+        boolean isPlain = picture.output(viewed.opened) == Output.PLAIN;
         var decoding = isPlain ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
         var settings = new TraceSettings(
                 picture.size().width(),
@@ -191,11 +187,11 @@ public final class ReferenceOptions {
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors(),
                 transport(picture));
-        var shown = at(picture.choice().shown(seen.opened), seen.seconds);
-        var level = AssetProblems.named(seen.opened, () -> TracedLevel.of(shown, decoding, seen.seconds));
-        var eye = TracedPictures.pinhole(seen.view);
+        var shown = at(picture.choice().shown(viewed.opened), viewed.seconds);
+        var level = viewed.opened.reporting(() -> TracedLevel.of(shown, decoding, viewed.seconds));
+        var eye = TracedPictures.pinhole(viewed.view);
         var facts = TracedPictures.facts(
-                seen.opened, seen.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
+                viewed.opened, viewed.seconds, eye, settings, picture.choice().showsIds() ? "ids" : decoding.name());
         var part = new ResumableTrace.Part(
                 partFile(out),
                 new PartHeader(settings.tiles(), Optional.ofNullable(shard).orElse(Shard.WHOLE), facts),
@@ -227,17 +223,5 @@ public final class ReferenceOptions {
     private Path partFile(Path out) {
         String fraction = shard == null ? "" : "." + shard.number() + "-of-" + shard.of();
         return out.resolveSibling(out.getFileName() + fraction + ".part");
-    }
-
-    /** Reads {@code i/n}. */
-    public static final class ShardConverter implements ITypeConverter<Shard> {
-        @Override
-        public Shard convert(String text) {
-            try {
-                return Shard.parse(text);
-            } catch (IllegalArgumentException unusable) {
-                throw new TypeConversionException(unusable.getMessage());
-            }
-        }
     }
 }

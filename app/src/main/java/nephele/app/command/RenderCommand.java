@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -16,12 +17,11 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
-import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
-import nephele.host.named.AssetProblems;
+import nephele.engine.scene.View;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
@@ -47,8 +47,21 @@ final class RenderCommand implements Command {
             description = "F.png, as seen, or F.pfm, linear radiance before exposure and tone curve.")
     private Path out;
 
-    @Mixin
-    private ViewOptions view;
+    @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
+    private String camera;
+
+    @Option(names = "--eye", paramLabel = "x,y,z", description = "Look from here; needs --target.")
+    private Vec3 eye;
+
+    @Option(names = "--target", paramLabel = "x,y,z", description = "Look at this point; needs --eye.")
+    private Vec3 target;
+
+    @Option(
+            names = "--fov",
+            paramLabel = "DEG",
+            description = "Horizontal field of view with --eye (default: the player's).")
+    @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
+    private Double fovDegrees;
 
     @Mixin
     private PictureOptions picture;
@@ -84,22 +97,23 @@ final class RenderCommand implements Command {
         }
         var opened = byTechnique(new LevelName(level).open());
         opened.notice().ifPresent(terminal.err()::println);
-        var viewpoint = view.in(opened, picture.aspect());
+        var viewpoint = viewpoint(opened);
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
-            var seen = reference.exposed(new ReferenceOptions.Seen(opened, viewpoint.view(0), timeSeconds), picture);
-            reference.trace(seen, picture, out, radiance -> save(radiance, seen.opened()), terminal);
+            var viewed = reference.exposed(
+                    new ReferenceOptions.ViewedLevel(opened, viewpoint.apply(0), timeSeconds), picture);
+            reference.trace(viewed, picture, out, radiance -> save(radiance, viewed.opened()), terminal);
             return ExitCode.DONE;
         }
         try (var gl = GlContext.offscreen();
                 var target = picture.target(gl);
-                var renderer = AssetProblems.named(opened, () -> renderer(opened, gl, terminal))) {
+                var renderer = opened.reporting(() -> renderer(opened, gl, terminal))) {
             var state = FrameState.atStart(renderer.scene().level());
             state.seconds(timeSeconds);
             observe(renderer, state);
             for (int frame = 0; frame < frames; frame++) {
-                renderer.draw(viewpoint.view(0), state, target);
+                renderer.draw(viewpoint.apply(0), state, target);
             }
             gl.requireNoError("render");
             save(renderer, target);
@@ -176,7 +190,7 @@ final class RenderCommand implements Command {
                 Capture.pfm(radiance, width, picture.size().height(), file);
             } else {
                 var environment = opened.level().environment();
-                Capture.png(ToneMappedPicture.of(radiance, width, environment, picture.output(opened)), file);
+                Capture.png(Capture.toneMapped(radiance, width, environment, picture.output(opened)), file);
             }
         });
     }
@@ -203,49 +217,23 @@ final class RenderCommand implements Command {
         return out.toString().toLowerCase(Locale.ROOT);
     }
 
-    /** The options of the viewpoint. */
-    static final class ViewOptions {
-        @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
-        private String camera;
-
-        @Option(
-                names = "--eye",
-                paramLabel = "x,y,z",
-                converter = NumberList.PointConverter.class,
-                description = "Look from here; needs --target.")
-        private Vec3 eye;
-
-        @Option(
-                names = "--target",
-                paramLabel = "x,y,z",
-                converter = NumberList.PointConverter.class,
-                description = "Look at this point; needs --eye.")
-        private Vec3 target;
-
-        @Option(
-                names = "--fov",
-                paramLabel = "DEG",
-                description = "Horizontal field of view with --eye (default: the player's).")
-        @OptionRange.Decimal(least = 1, most = 170, unit = "degrees")
-        private Double fovDegrees;
-
-        Viewpoints.OfFrame in(OpenedLevel opened, double aspect) {
-            if ((eye == null) != (target == null)) {
-                throw CommandFailure.usage("--eye and --target need each other");
-            }
-            if (eye == null && fovDegrees != null) {
-                throw CommandFailure.usage("--fov needs --eye and --target");
-            }
-            if (eye != null) {
-                if (camera != null) {
-                    throw CommandFailure.usage("--camera and --eye exclude each other");
-                }
-                var view = Viewpoints.between(eye, target, fovDegrees, aspect);
-                return frame -> view;
-            }
-            return camera == null
-                    ? Viewpoints.standard(opened.level(), opened.file(), aspect)
-                    : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
+    private IntFunction<View> viewpoint(OpenedLevel opened) {
+        double aspect = picture.aspect();
+        if ((eye == null) != (target == null)) {
+            throw CommandFailure.usage("--eye and --target need each other");
         }
+        if (eye == null && fovDegrees != null) {
+            throw CommandFailure.usage("--fov needs --eye and --target");
+        }
+        if (eye != null) {
+            if (camera != null) {
+                throw CommandFailure.usage("--camera and --eye exclude each other");
+            }
+            var view = Viewpoints.between(eye, target, fovDegrees, aspect);
+            return frame -> view;
+        }
+        return camera == null
+                ? Viewpoints.standard(opened.level(), opened.file(), aspect)
+                : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
     }
 }

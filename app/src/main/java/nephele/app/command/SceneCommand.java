@@ -8,7 +8,7 @@ import java.util.Locale;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.view.SceneViewer;
-import nephele.app.window.GameWindow;
+import nephele.app.window.Size;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Language;
@@ -28,8 +28,7 @@ import nephele.scenes.fixed.SceneAppearance;
 import nephele.scenes.fixed.Shading;
 import nephele.scenes.view.OffscreenTour;
 import nephele.scenes.view.SceneStart;
-import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.Mixin;
+import picocli.CommandLine;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -61,11 +60,7 @@ final class SceneCommand implements Command {
             description = "Take one picture offscreen instead of opening a window.")
     private Path out;
 
-    @Option(
-            names = "--size",
-            paramLabel = "WxH",
-            converter = Size.Converter.class,
-            description = "Picture in pixels (default: the scene's window).")
+    @Option(names = "--size", paramLabel = "WxH", description = "Picture in pixels (default: the scene's window).")
     private Size size;
 
     @Option(
@@ -76,18 +71,40 @@ final class SceneCommand implements Command {
     @OptionRange.Decimal(least = -Environment.MOST_SECONDS, most = Environment.MOST_SECONDS, unit = "seconds")
     private double timeSeconds;
 
-    @Mixin
-    private LookOptions look;
+    @Option(names = "--wireframe", description = "Only the edges of triangles.")
+    private boolean wireframe;
+
+    @Option(names = "--axes", description = "Show the axes: x red, y green, z blue.")
+    private boolean axes;
+
+    @Option(names = "--shading", paramLabel = "S", description = "flat, gouraud or phong (default: gouraud).")
+    private Shading shading;
+
+    @Option(
+            names = "--light-terms",
+            paramLabel = "T",
+            split = ",",
+            description = "Only these of ambient, diffuse, specular and emissive (default: all).")
+    private List<LightTerm> terms;
 
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
+    }
+
+    /** Wireframe is no word of {@code --shading}: it has an option of its own. */
+    @Override
+    public void register(CommandLine commandLine) {
+        var filled = EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));
+        commandLine
+                .registerConverter(Shading.class, OptionValues.word(filled))
+                .registerConverter(LightTerm.class, OptionValues.word(EnumSet.allOf(LightTerm.class)));
     }
 
     @Override
     public ExitCode run(Terminal terminal) throws IOException {
         checkUsage();
         var name = scene == null ? SceneName.SAMPLE : new SceneName(scene);
-        var start = new SceneStart(opened(name, terminal), look.look(), timeSeconds);
+        var start = new SceneStart(opened(name, terminal), appearance(), timeSeconds);
         var pixels = pixels(start);
         if (out != null) {
             savePicture(start, pixels);
@@ -95,7 +112,7 @@ final class SceneCommand implements Command {
             terminal.shown().run();
             Language language =
                     new PlayerFiles(UserFolders.ofThisUser()).settings().get(Settings.LANGUAGE);
-            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()), language);
+            SceneViewer.show(start, name.title(), pixels, language);
         } else {
             new OffscreenTour(start, terminal.out()).save(PICTURES, name.stem(), pixels.width(), pixels.height());
         }
@@ -131,53 +148,13 @@ final class SceneCommand implements Command {
         }
     }
 
-    /** The options of the scene's appearance. */
-    static final class LookOptions {
-        @Option(names = "--wireframe", description = "Only the edges of triangles.")
-        private boolean wireframe;
-
-        @Option(names = "--axes", description = "Show the axes: x red, y green, z blue.")
-        private boolean axes;
-
-        @Option(
-                names = "--shading",
-                paramLabel = "S",
-                converter = ShadingWord.class,
-                description = "flat, gouraud or phong (default: gouraud).")
-        private Shading shading;
-
-        @Option(
-                names = "--light-terms",
-                paramLabel = "T",
-                split = ",",
-                converter = TermWord.class,
-                description = "Only these of ambient, diffuse, specular and emissive (default: all).")
-        private List<LightTerm> terms;
-
-        SceneAppearance look() {
-            if (wireframe && shading != null) {
-                throw CommandFailure.usage("--wireframe and --shading exclude each other");
-            }
-            var shown = SceneAppearance.USUAL
-                    .with(wireframe ? Shading.WIREFRAME : shading == null ? Shading.GOURAUD : shading)
-                    .with(axes ? SceneAppearance.Axes.SHOWN : SceneAppearance.Axes.HIDDEN);
-            return terms == null ? shown : shown.with(EnumSet.copyOf(terms));
+    private SceneAppearance appearance() {
+        if (wireframe && shading != null) {
+            throw CommandFailure.usage("--wireframe and --shading exclude each other");
         }
-    }
-
-    /** Reads a kind of shading; wireframe has an option of its own. */
-    static final class ShadingWord implements ITypeConverter<Shading> {
-        @Override
-        public Shading convert(String text) {
-            return new WordConverter<>(EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME))).convert(text);
-        }
-    }
-
-    /** Reads a term of the lighting model. */
-    static final class TermWord implements ITypeConverter<LightTerm> {
-        @Override
-        public LightTerm convert(String text) {
-            return new WordConverter<>(LightTerm.class).convert(text);
-        }
+        var shown = SceneAppearance.USUAL
+                .with(wireframe ? Shading.WIREFRAME : shading == null ? Shading.GOURAUD : shading)
+                .withAxes(axes);
+        return terms == null ? shown : shown.with(EnumSet.copyOf(terms));
     }
 }

@@ -11,7 +11,6 @@ import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimState;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
-import nephele.host.named.ReplayOrigin;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Option;
@@ -46,7 +45,7 @@ final class SimulateCommand implements Command {
         var opened = name.open();
         var inputs = replay == null ? name.recordedWalk() : LevelName.replay(replay);
         var replayFile = replay == null ? "the recorded walk of " + name.fileName() : replay;
-        ReplayOrigin.require(opened, replayFile, inputs, terminal.err());
+        opened.requireRecordedHere(inputs, replayFile, terminal.err());
         var last = play(opened, inputs, terminal);
         if (dump != null) {
             WrittenFile.text(dump, StateDump.of(last).write());

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
+import nephele.app.window.Size;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.choice.ErrorTable;
 import nephele.host.named.LevelCatalogue;
@@ -62,7 +63,6 @@ final class TradeCommand implements Command {
     @Option(
             names = "--size",
             paramLabel = "WxH",
-            converter = Size.Converter.class,
             description = "Picture in pixels (default: 640x360; 320x180 with --quick).")
     private Size size;
 

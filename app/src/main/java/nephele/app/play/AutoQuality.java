@@ -84,7 +84,7 @@ final class AutoQuality {
         var known = files.quality().highMillis(machine, level, pixels);
         isKnown = known.isPresent();
         known.ifPresentOrElse(controller::begin, controller::begin);
-        tell(request, isKnown ? "learned" : "not measured yet");
+        report(request, isKnown ? "learned" : "not measured yet");
     }
 
     /** Returns true if the first view shall be measured: the level was not drawn on this machine before. */
@@ -104,7 +104,7 @@ final class AutoQuality {
         double estimate = WALK_BY_START * controller.atHigh(millis);
         controller.begin(estimate);
         learn(estimate);
-        tell(request, "measured");
+        report(request, "measured");
         return before != controller.point();
     }
 
@@ -121,7 +121,7 @@ final class AutoQuality {
         files.keep(files.quality().with(machine, level, pixels, highMillis));
     }
 
-    private void tell(PlayRequest request, String why) {
+    private void report(PlayRequest request, String why) {
         if (log != null && request.isQualityAutomatic()) {
             log.println(String.format(
                     Locale.ROOT,
@@ -152,7 +152,7 @@ final class AutoQuality {
         }
         boolean isOther = controller.add(millis, seconds);
         if (isOther) {
-            tell(request, "by the frame rate");
+            report(request, "by the frame rate");
         }
         return isOther;
     }
@@ -175,19 +175,18 @@ final class AutoQuality {
             String preset = name(request.chosenQuality().preset(), language);
             return List.of(new Figure(Phrase.FIGURE_QUALITY.in(language), preset));
         }
-        var reason = controller.reason();
         List<Figure> lines = new ArrayList<>();
         lines.add(new Figure(
                 Phrase.FIGURE_QUALITY_AUTO.in(language), name(controller.point().name(), language)));
-        String slowest = String.format(Locale.ROOT, "%.0f", reason.slowestMillis());
-        String budget = String.format(Locale.ROOT, "%.0f", reason.budgetMillis());
+        String slowest = String.format(Locale.ROOT, "%.0f", controller.slowestMillis());
+        String budget = String.format(Locale.ROOT, "%.0f", controller.budgetMillis());
         lines.add(new Figure(
                 "  " + Phrase.FIGURE_SLOWEST.in(language), Phrase.FIGURE_OF_BUDGET.in(language, slowest, budget)));
-        if (reason.next() != null) {
-            lines.add(new Figure(
-                    "  " + name(reason.next().name(), language),
-                    String.format(Locale.ROOT, "%.0f ms", reason.nextMillis())));
-        }
+        controller
+                .better()
+                .ifPresent(better -> lines.add(new Figure(
+                        "  " + name(better.name(), language),
+                        String.format(Locale.ROOT, "%.0f ms", controller.betterMillis()))));
         return lines;
     }
 

@@ -1,23 +1,30 @@
 package nephele.app.play;
 
 import java.io.IOException;
+import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
 import nephele.app.settings.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.line.LineCanvas;
+import nephele.engine.render.line.LineDrawing;
+import nephele.engine.render.line.LineLayer;
+import nephele.engine.render.line.LineProjection;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import nephele.host.compare.Wipe;
+import nephele.host.playthrough.ObserverView;
 import nephele.host.playthrough.Rehearsal;
 
 /** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
@@ -35,8 +42,10 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
-    private static final OverlayColour BLACK = OverlayColour.opaque(0);
+    private static final DisplayColour BLACK = DisplayColour.opaque(0);
 
+    private static final DisplayColour OUTLINE = DisplayColour.of(0xFFD24A, 0.8);
+    private static final double OUTLINE_PIXELS = 1.5;
     /** Frames of the first view that only compile programs. */
     private static final int FIRST_VIEW_WARM_UP = 2;
 
@@ -45,11 +54,14 @@ final class Display implements AutoCloseable {
 
     private final GameWindow window;
     private final GlContext gl;
-    private final Lettering lettering = new Lettering();
+    private final FontAtlas letters = new FontAtlas();
     private final OverlayPass overlay;
-    private final BoundOutlines outlines;
-    private final Hud hud = new Hud(lettering);
-    private final OverlayCanvas veil = new OverlayCanvas(lettering);
+    private final LineCanvas outlines = new LineCanvas();
+    /** {@code null} before there is an observer. */
+    private LineDrawing lines;
+
+    private final Hud hud = new Hud(letters);
+    private final OverlayCanvas veil = new OverlayCanvas(letters);
     private final Screenshots screenshots;
     private final Message message;
     private final FrameCost cost;
@@ -65,8 +77,7 @@ final class Display implements AutoCloseable {
         this.gl = gl;
         this.screenshots = screenshots;
         this.message = message;
-        overlay = new OverlayPass(gl, lettering);
-        outlines = new BoundOutlines(gl);
+        overlay = new OverlayPass(gl, letters);
         cost = new FrameCost(gl);
         title = new TitlePicture(gl);
     }
@@ -102,12 +113,32 @@ final class Display implements AutoCloseable {
                 ? Wipe.MIDDLE
                 : content.comparison().wipe();
         session.picture().draw(view, state, wipe, picture, listener);
-        outlines.draw(walk.observer(), view, picture);
+        drawOutlines(walk.observer(), view, picture);
         darken(walk.darkness(), picture);
         drawOverlay(content, picture, shot);
         cost.submitted();
         window.show();
         cost.shown();
+    }
+
+    /**
+     * Draws the outlines of the bounds that an observer's sphere can touch.
+     *
+     * @param observer {@code null} for no outlines
+     */
+    private void drawOutlines(ObserverView observer, View view, RenderTarget picture) {
+        if (observer == null) {
+            return;
+        }
+        if (lines == null) {
+            lines = new LineDrawing(gl);
+        }
+        outlines.begin(LineProjection.of(view, picture.width(), picture.height()));
+        List<Vec3> ends = observer.outlines();
+        for (int i = 0; i < ends.size(); i += 2) {
+            outlines.line(ends.get(i), ends.get(i + 1), OUTLINE, OUTLINE_PIXELS, LineLayer.OVER_ALL);
+        }
+        lines.draw(outlines, picture);
     }
 
     /** Draws black over the level, but not over the overlay. */
@@ -236,7 +267,9 @@ final class Display implements AutoCloseable {
     @Override
     public void close() {
         overlay.close();
-        outlines.close();
+        if (lines != null) {
+            lines.close();
+        }
         cost.close();
         title.close();
     }

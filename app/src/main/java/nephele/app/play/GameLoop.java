@@ -16,6 +16,7 @@ import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
 import nephele.app.window.PadState;
 import nephele.app.window.Screenshots;
+import nephele.app.window.Size;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
@@ -123,7 +124,7 @@ public final class GameLoop implements AutoCloseable {
     private static GameWindow open(PlayRequest request, Input input) {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var picture = request.picture();
-        var window = GameWindow.open(new GameWindow.Request(TITLE, picture.width(), picture.height()), input);
+        var window = GameWindow.open(TITLE, new Size(picture.width(), picture.height()), input);
         if (picture.fullScreen()) {
             window.become(
                     WindowMode.FULLSCREEN,
@@ -150,7 +151,7 @@ public final class GameLoop implements AutoCloseable {
         simulate();
         draw();
         stages.logVisible(menu, loading, current);
-        tellProblems();
+        reportProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
 
@@ -279,14 +280,8 @@ public final class GameLoop implements AutoCloseable {
 
     /** @param choice null if nothing was chosen */
     private void choose(Menu.Choice choice) {
-        if (choice instanceof Menu.Choice.Resume) {
-            leaveMenu(GameStage.RUNNING);
-        } else if (choice instanceof Menu.Choice.Restart) {
-            leaveMenu(GameStage.RESTARTING);
-        } else if (choice instanceof Menu.Choice.Quit) {
-            leaveMenu(GameStage.LEAVING);
-        } else if (choice instanceof Menu.Choice.ToTitle) {
-            openTitle();
+        if (choice instanceof Menu.Choice.Plain plain) {
+            choose(plain);
         } else if (choice instanceof Menu.Choice.Play next) {
             play(first.of(next.level()));
         } else if (choice instanceof Menu.Choice.Compare next) {
@@ -303,13 +298,23 @@ public final class GameLoop implements AutoCloseable {
             menu.turnTo(menus.samples(open.group()));
         } else if (choice instanceof Menu.Choice.Bind bind) {
             settings.awaitKey(bind.control());
-        } else if (choice instanceof Menu.Choice.Back) {
-            if (!menu.back()) {
-                leaveMenu(GameStage.RUNNING);
-            }
         } else if (choice instanceof Menu.Choice.Step step) {
             settings.change(step);
             menu.rewriteFirst(firstPage());
+        }
+    }
+
+    private void choose(Menu.Choice.Plain choice) {
+        switch (choice) {
+            case RESUME -> leaveMenu(GameStage.RUNNING);
+            case RESTART -> leaveMenu(GameStage.RESTARTING);
+            case QUIT -> leaveMenu(GameStage.LEAVING);
+            case TO_TITLE -> openTitle();
+            case BACK -> {
+                if (!menu.back()) {
+                    leaveMenu(GameStage.RUNNING);
+                }
+            }
         }
     }
 
@@ -454,12 +459,7 @@ public final class GameLoop implements AutoCloseable {
             picture.after(events);
         }
         Optional<FinishedRun> finished = counter.after(events, walk);
-        if (slow.isTimeLost(now, walk.lostNanos())) {
-            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files.settings()));
-            if (slow.isNews(cause, now, message.showsHint())) {
-                message.sayAside(SlowAdvice.text(cause, language()));
-            }
-        }
+        slow.say(now, current, window, files.settings(), message);
         if (finished.isPresent()) {
             end(session, finished.get());
         } else if (walk.isFinished()) {
@@ -494,7 +494,7 @@ public final class GameLoop implements AutoCloseable {
         shot = Display.Shot.NONE;
     }
 
-    private void tellProblems() {
+    private void reportProblems() {
         List<String> problems = files.takeProblems();
         if (!problems.isEmpty()) {
             problems.forEach(message::say);

@@ -54,7 +54,7 @@ final class GameMenus {
         entries.add(new Entry(text(Phrase.SAMPLES), new Choice.Open(Menu.Page.SAMPLES)));
         entries.add(new Entry(text(Phrase.YOUR_LEVELS), new Choice.Open(Menu.Page.YOUR_LEVELS)));
         entries.add(new Entry(text(Phrase.SETTINGS), new Choice.Open(Menu.Page.SETTINGS)));
-        entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
+        entries.add(new Entry(text(Phrase.QUIT), Choice.Plain.QUIT));
         return writer.page("title", GameLoop.TITLE, List.of(ProgramVersion.text()), entries, null);
     }
 
@@ -71,13 +71,13 @@ final class GameMenus {
                 text(Phrase.PAUSED),
                 lines,
                 List.of(
-                        new Entry(text(Phrase.CONTINUE), new Choice.Resume()),
+                        new Entry(text(Phrase.CONTINUE), Choice.Plain.RESUME),
                         new Entry(text(Phrase.RESTART), new Choice.Open(Menu.Page.RESTART_QUESTION)),
                         listOf(level),
                         new Entry(text(Phrase.SETTINGS), new Choice.Open(Menu.Page.SETTINGS)),
-                        new Entry(text(Phrase.TO_TITLE), new Choice.ToTitle()),
-                        new Entry(text(Phrase.QUIT), new Choice.Quit())),
-                new Choice.Resume());
+                        new Entry(text(Phrase.TO_TITLE), Choice.Plain.TO_TITLE),
+                        new Entry(text(Phrase.QUIT), Choice.Plain.QUIT)),
+                Choice.Plain.RESUME);
     }
 
     /**
@@ -108,12 +108,12 @@ final class GameMenus {
         } else if (campaign.stream().anyMatch(each -> each.key().equals(level.key()))) {
             lines.add(text(Phrase.ALL_DONE));
         }
-        entries.add(new Entry(text(Phrase.AGAIN), new Choice.Restart()));
+        entries.add(new Entry(text(Phrase.AGAIN), Choice.Plain.RESTART));
         entries.add(listOf(level));
-        entries.add(new Entry(text(Phrase.TO_TITLE), new Choice.ToTitle()));
-        entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
+        entries.add(new Entry(text(Phrase.TO_TITLE), Choice.Plain.TO_TITLE));
+        entries.add(new Entry(text(Phrase.QUIT), Choice.Plain.QUIT));
         return writer.page(
-                "ended", levels.title(level) + " – " + text(Phrase.LEVEL_DONE), lines, entries, new Choice.ToTitle());
+                "ended", levels.title(level) + " – " + text(Phrase.LEVEL_DONE), lines, entries, Choice.Plain.TO_TITLE);
     }
 
     /** Returns the entry that opens the list in which a level stands. */
@@ -141,9 +141,9 @@ final class GameMenus {
                         text(Phrase.RESTART_QUESTION),
                         List.of(text(Phrase.RESTART_LOSS)),
                         List.of(
-                                new Entry(text(Phrase.BACK), new Choice.Back()),
-                                new Entry(text(Phrase.RESTART), new Choice.Restart())),
-                        new Choice.Back());
+                                new Entry(text(Phrase.BACK), Choice.Plain.BACK),
+                                new Entry(text(Phrase.RESTART), Choice.Plain.RESTART)),
+                        Choice.Plain.BACK);
         };
     }
 

@@ -10,7 +10,7 @@ import nephele.host.playthrough.HintClock;
 import nephele.host.playthrough.Playthrough;
 
 /**
- * Tells the player that there is a hint, again from time to time, and the hint when it is asked for. Who asks too early
+ * Announces hints to the player, again from time to time, and gives them on request. Who asks too early
  * hears when one comes, and then has it without asking again.
  */
 final class GivenHints {
@@ -23,7 +23,7 @@ final class GivenHints {
     private final Message message;
     private final Supplier<HudContent.Keys> keys;
     private Hint reported;
-    private double toldSeconds;
+    private double reportedSeconds;
     private boolean isPromised;
 
     GivenHints(Message message, Supplier<HudContent.Keys> keys) {
@@ -50,9 +50,9 @@ final class GivenHints {
         }
         if (isPromised) {
             give(hints);
-        } else if (offered != reported || seconds - toldSeconds >= AGAIN_SECONDS) {
+        } else if (offered != reported || seconds - reportedSeconds >= AGAIN_SECONDS) {
             reported = offered;
-            toldSeconds = seconds;
+            reportedSeconds = seconds;
             var shown = keys.get();
             message.sayHint(Phrase.HINT_OFFERED.in(shown.language(), shown.inSentence(Control.HINT)));
         }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import nephele.app.play.LevelReader.Read;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Card;
 import nephele.app.play.hud.Menu.Choice;
@@ -15,10 +14,10 @@ import nephele.app.settings.Progress;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.host.compare.TechniquePair;
+import nephele.host.named.LevelCatalogue;
 import nephele.host.named.LevelName;
 import nephele.host.named.LevelSummary;
 import nephele.host.named.LevelTitles;
-import nephele.host.named.OwnLevels;
 import nephele.host.named.SampleCatalogue.Group;
 import nephele.host.named.SampleCatalogue.Sample;
 
@@ -49,7 +48,7 @@ final class LevelPages {
             return Menu.Page.SAMPLES;
         }
         Path folder = writer.files().levels();
-        return folder != null && OwnLevels.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
+        return folder != null && LevelCatalogue.isIn(folder, level) ? Menu.Page.YOUR_LEVELS : Menu.Page.LEVELS;
     }
 
     /** Returns the title of a level. */
@@ -80,11 +79,11 @@ final class LevelPages {
         shownCampaign = campaignReader.done();
         List<Entry> entries = new ArrayList<>();
         for (LevelName level : campaign) {
-            Optional<Read> read = campaignReader.of(level);
+            Optional<LevelSummary> read = campaignReader.of(level);
             entries.add(new Entry(title(level), best(level), new Choice.Play(level)).with(card(level, read)));
         }
         entries.add(writer.back());
-        return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, new Choice.Back());
+        return writer.page("levels", writer.text(Phrase.LEVELS), List.of(), entries, Choice.Plain.BACK);
     }
 
     private String best(LevelName level) {
@@ -93,10 +92,10 @@ final class LevelPages {
     }
 
     /** Returns picture, records beside the par, and aim of a level; the facts alone until it was read. */
-    private Card card(LevelName level, Optional<Read> read) {
-        Level.Par par = read.map(known -> known.summary().par()).orElse(null);
-        String about = read.map(Read::summary).map(this::about).orElse("");
-        return new Card(read.flatMap(Read::picture).orElse(null), facts(level, par), about);
+    private Card card(LevelName level, Optional<LevelSummary> read) {
+        Level.Par par = read.map(LevelSummary::par).orElse(null);
+        String about = read.map(this::about).orElse("");
+        return new Card(read.map(LevelSummary::picture).orElse(null), facts(level, par), about);
     }
 
     private String about(LevelSummary summary) {
@@ -137,7 +136,7 @@ final class LevelPages {
                     .helped(group.about().get(writer.language())));
         }
         entries.add(writer.back());
-        return writer.page("samples", writer.text(Phrase.SAMPLES), List.of(), entries, new Choice.Back());
+        return writer.page("samples", writer.text(Phrase.SAMPLES), List.of(), entries, Choice.Plain.BACK);
     }
 
     /** @param number of the group in the catalogue */
@@ -150,7 +149,7 @@ final class LevelPages {
         }
         entries.add(writer.back());
         String title = group.title().get(writer.language());
-        return writer.page("samples-" + (number + 1), title, List.of(), entries, new Choice.Back());
+        return writer.page("samples-" + (number + 1), title, List.of(), entries, Choice.Plain.BACK);
     }
 
     private static Choice choice(Sample sample) {
@@ -169,7 +168,7 @@ final class LevelPages {
         if (ownReader != null) {
             ownReader.end();
         }
-        ownReader = LevelReader.begin(folder == null ? List.of() : OwnLevels.in(folder), LevelSummary::checked);
+        ownReader = LevelReader.begin(folder == null ? List.of() : LevelCatalogue.in(folder), LevelSummary::checked);
         return ownPage();
     }
 
@@ -179,10 +178,10 @@ final class LevelPages {
         List<Entry> entries = new ArrayList<>();
         int broken = 0;
         for (LevelName level : ownReader.levels()) {
-            Optional<Read> read = ownReader.of(level);
-            boolean isBroken = read.isPresent() && !read.get().summary().isGood();
+            Optional<LevelSummary> read = ownReader.of(level);
+            boolean isBroken = read.isPresent() && !read.get().isGood();
             broken += isBroken ? 1 : 0;
-            entries.add(isBroken ? broken(level, read.get().summary()) : own(level, read));
+            entries.add(isBroken ? broken(level, read.get()) : own(level, read));
         }
         if (folder != null) {
             entries.add(new Entry(writer.text(Phrase.SHOW_FOLDER), new Choice.ShowFolder(folder))
@@ -190,7 +189,7 @@ final class LevelPages {
         }
         entries.add(writer.back());
         String line = folder == null ? writer.text(Phrase.NO_LEVELS_FOLDER) : count(broken);
-        return writer.page("your-levels", writer.text(Phrase.YOUR_LEVELS), List.of(line), entries, new Choice.Back());
+        return writer.page("your-levels", writer.text(Phrase.YOUR_LEVELS), List.of(line), entries, Choice.Plain.BACK);
     }
 
     private String count(int broken) {
@@ -206,8 +205,8 @@ final class LevelPages {
                 : Phrase.LEVELS_BROKEN.in(writer.language(), all, broken);
     }
 
-    private Entry own(LevelName level, Optional<Read> read) {
-        String name = read.map(known -> known.summary().name()).orElse("");
+    private Entry own(LevelName level, Optional<LevelSummary> read) {
+        String name = read.map(LevelSummary::name).orElse("");
         String title = shortened(name.isEmpty() ? level.title() : name, LONGEST_TITLE);
         String value = read.isPresent() ? best(level) : "…";
         List<Fact> facts = new ArrayList<>(card(level, read).facts());
@@ -215,11 +214,11 @@ final class LevelPages {
                 0,
                 new Fact(
                         writer.text(Phrase.FILE),
-                        OwnLevels.nameIn(writer.files().levels(), level)));
+                        LevelCatalogue.nameIn(writer.files().levels(), level)));
         Card card = new Card(
-                read.flatMap(Read::picture).orElse(null),
+                read.map(LevelSummary::picture).orElse(null),
                 facts,
-                read.map(Read::summary).map(this::about).orElse(""));
+                read.map(this::about).orElse(""));
         return new Entry(title, value, new Choice.Play(level)).with(card);
     }
 
@@ -237,7 +236,7 @@ final class LevelPages {
                 ? "\n" + Phrase.MORE_PROBLEMS.in(writer.language(), problems.size() - MOST_PROBLEMS)
                 : "";
         Fact file = new Fact(
-                writer.text(Phrase.FILE), OwnLevels.nameIn(writer.files().levels(), level));
+                writer.text(Phrase.FILE), LevelCatalogue.nameIn(writer.files().levels(), level));
         return new Entry(shortened(level.title(), LONGEST_TITLE), writer.text(Phrase.BROKEN), null)
                 .with(new Card(null, List.of(file), shown + more));
     }

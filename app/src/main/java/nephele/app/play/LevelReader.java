@@ -18,11 +18,8 @@ final class LevelReader {
 
     private final List<LevelName> levels;
     private final Function<LevelName, LevelSummary> summary;
-    private final Map<LevelName, Read> read = new ConcurrentHashMap<>();
+    private final Map<LevelName, LevelSummary> read = new ConcurrentHashMap<>();
     private volatile boolean isEnded;
-
-    /** A level that was read, with its picture if it has one. */
-    record Read(LevelSummary summary, Optional<Picture> picture) {}
 
     private LevelReader(List<LevelName> levels, Function<LevelName, LevelSummary> summary) {
         this.levels = List.copyOf(levels);
@@ -47,7 +44,7 @@ final class LevelReader {
                     ? level.picture().filter(shown -> shown.width() * shown.height() <= MOST_PIXELS)
                     : Optional.empty();
             pictures += picture.isPresent() ? 1 : 0;
-            read.put(level, new Read(summary.apply(level), picture));
+            read.put(level, summary.apply(level).with(picture.orElse(null)));
         }
     }
 
@@ -71,7 +68,7 @@ final class LevelReader {
     }
 
     /** Returns a level of the list; empty until it was read. */
-    Optional<Read> of(LevelName level) {
+    Optional<LevelSummary> of(LevelName level) {
         return Optional.ofNullable(read.get(level));
     }
 }

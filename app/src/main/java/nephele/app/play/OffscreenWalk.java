@@ -18,7 +18,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.sim.replay.Replay;
 import nephele.host.compare.CloudComparison;
@@ -105,7 +105,7 @@ public final class OffscreenWalk {
             if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
                 long before = stopwatch.processCpuNanos();
                 if (picture.comparison() != null) {
-                    tellComparison(gl, picture.comparison(), target);
+                    reportComparison(gl, picture.comparison(), target);
                 }
                 savePicture(target, ++nextPicture);
                 cpuStartNanos += stopwatch.processCpuNanos() - before;
@@ -133,7 +133,7 @@ public final class OffscreenWalk {
     }
 
     /** Prints the figures of both techniques, and draws the wipe over the picture. */
-    private void tellComparison(GlContext gl, CloudComparison comparison, RenderTarget target) {
+    private void reportComparison(GlContext gl, CloudComparison comparison, RenderTarget target) {
         ComparisonFigures measured = comparison.measureNow();
         HudContent.Comparison texts = new ComparisonTexts().of(comparison, Wipe.MIDDLE, Language.EN);
         out.println(String.format(
@@ -144,12 +144,12 @@ public final class OffscreenWalk {
                 TechniquePair.name(comparison.techniques().right()),
                 measured.rightMillis(),
                 texts.difference()));
-        var lettering = new Lettering();
+        var letters = new FontAtlas();
         double pixelsPerPoint = Area.pixelsPerPoint(target.width(), target.height(), 1);
         var area = Area.of(target.width(), target.height(), 1);
         var content = new HudContent(null, HudContent.Page.NONE, List.of(), List.of(), null, null, texts, null, null);
-        try (var overlay = new OverlayPass(gl, lettering)) {
-            overlay.draw(new Hud(lettering).canvas(content, area, pixelsPerPoint), target);
+        try (var overlay = new OverlayPass(gl, letters)) {
+            overlay.draw(new Hud(letters).canvas(content, area, pixelsPerPoint), target);
         }
     }
 

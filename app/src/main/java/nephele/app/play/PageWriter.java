@@ -13,7 +13,7 @@ import nephele.app.window.Input;
 import nephele.engine.level.Language;
 
 /**
- * What all pages of the menu have in common: the player's files and language, and the foot that explains the keys.
+ * Writes pages of the menu, with a foot that explains the keys, in the player's language.
  *
  * @param device the one whose keys the pages name
  */
@@ -24,9 +24,9 @@ record PageWriter(PlayerFiles files, Supplier<Input.Device> device) {
         boolean isPad = device.get() == Input.Device.GAMEPAD;
         String foot = text(isPad ? Phrase.PAD_MENU_KEYS : Phrase.MENU_KEYS);
         String back = isPad ? "B" : Phrase.ofKey("Escape", language());
-        if (escape instanceof Choice.Resume) {
+        if (escape == Choice.Plain.RESUME) {
             foot += "     " + back + "  " + text(Phrase.FOOT_CONTINUE);
-        } else if (escape instanceof Choice.Back) {
+        } else if (escape == Choice.Plain.BACK) {
             foot += "     " + back + "  " + text(Phrase.FOOT_BACK);
         }
         return new Menu(name, title, lines, entries, 0, 0, escape, foot);
@@ -34,7 +34,7 @@ record PageWriter(PlayerFiles files, Supplier<Input.Device> device) {
 
     /** Returns the entry that leads back to the page before. */
     Entry back() {
-        return new Entry(text(Phrase.BACK), new Choice.Back());
+        return new Entry(text(Phrase.BACK), Choice.Plain.BACK);
     }
 
     String text(Phrase phrase) {

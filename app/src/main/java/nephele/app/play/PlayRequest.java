@@ -55,7 +55,7 @@ public record PlayRequest(
     }
 
     /**
-     * What belongs to the player.
+     * The player's files, log and viewer of scenes.
      *
      * @param log receives a line for each change of the game's state; null for none
      * @param scenes shows the XML scenes of the menu

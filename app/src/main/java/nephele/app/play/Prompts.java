@@ -189,8 +189,8 @@ final class Prompts {
     }
 
     private void moved(PlayerState from, PlayerState to) {
-        Vec3 way = to.feet().minus(from.feet());
-        double metres = Math.hypot(way.x(), way.z());
+        Vec3 displacement = to.feet().minus(from.feet());
+        double metres = Math.hypot(displacement.x(), displacement.z());
         walkedMetres += metres < MOST_STEP_METRES ? metres : 0;
         if (walkedMetres > WALKED_METRES) {
             learn(Verb.WALK);

@@ -24,7 +24,6 @@ import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.ReplayInput;
 import nephele.host.playthrough.TakenOverInput;
 import nephele.host.playthrough.TickInput;
-import nephele.host.playthrough.UnturnedInput;
 
 /** One level being played: its picture and its simulation. */
 final class Session implements AutoCloseable {
@@ -86,7 +85,7 @@ final class Session implements AutoCloseable {
 
     private TickInput hands() {
         var device = new LiveInput(input, request.player().files()::settings);
-        TickInput live = level.observer() == null ? device : new UnturnedInput(device);
+        TickInput live = level.observer() == null ? device : device.unturned();
         if (request.shown() == null) {
             return live;
         }

@@ -17,7 +17,6 @@ import nephele.host.compare.CloudComparison.ComparedScenes;
 import nephele.host.compare.TechniquePair;
 import nephele.host.compare.Wipe;
 import nephele.host.draw.Preparation;
-import nephele.host.named.AssetProblems;
 import nephele.host.terminal.CommandFailure;
 
 /** Draws a level that is played: by one renderer, or by two techniques of its clouds that are compared. */
@@ -47,13 +46,11 @@ final class SessionPicture implements AutoCloseable {
                 .with(CharacterPresence.POSSIBLE);
         if (request.compared() == null) {
             return new SessionPicture(
-                    AssetProblems.named(prepared.opened(), () -> LevelRenderer.load(gl, prepared.scene(), settings)),
-                    null);
+                    prepared.opened().reporting(() -> LevelRenderer.load(gl, prepared.scene(), settings)), null);
         }
         requireClouds(request, prepared.scene());
         ComparedScenes scenes = ComparedScenes.ofAllClouds(prepared.scene(), request.compared());
-        return new SessionPicture(
-                null, AssetProblems.named(prepared.opened(), () -> CloudComparison.load(gl, scenes, settings)));
+        return new SessionPicture(null, prepared.opened().reporting(() -> CloudComparison.load(gl, scenes, settings)));
     }
 
     private static void requireClouds(PlayRequest request, Scene scene) {

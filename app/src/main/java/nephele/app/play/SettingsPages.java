@@ -33,7 +33,7 @@ final class SettingsPages {
         entries.add(new Entry(writer.text(Phrase.KEYS), new Choice.Open(Menu.Page.KEYS))
                 .helped(writer.text(Phrase.ABOUT_KEYS)));
         entries.add(writer.back());
-        return writer.page("settings", writer.text(Phrase.SETTINGS), List.of(), entries, new Choice.Back());
+        return writer.page("settings", writer.text(Phrase.SETTINGS), List.of(), entries, Choice.Plain.BACK);
     }
 
     Menu of(GameSetting.Group group) {
@@ -41,7 +41,7 @@ final class SettingsPages {
         Settings.of(group).forEach(setting -> entries.add(entry(setting)));
         entries.add(writer.back());
         String name = "settings-" + GameSetting.word(group);
-        return writer.page(name, writer.text(Phrase.ofGroup(group)), List.of(), entries, new Choice.Back());
+        return writer.page(name, writer.text(Phrase.ofGroup(group)), List.of(), entries, Choice.Plain.BACK);
     }
 
     /** Returns the page on which a setting stands. */
@@ -68,7 +68,7 @@ final class SettingsPages {
                     .helped(writer.text(Phrase.HELP_KEYS)));
         }
         entries.add(writer.back());
-        return writer.page("keys", writer.text(Phrase.KEYS), List.of(), entries, new Choice.Back());
+        return writer.page("keys", writer.text(Phrase.KEYS), List.of(), entries, Choice.Plain.BACK);
     }
 
     /** Returns a control's keys, and the control that has one of them too. */

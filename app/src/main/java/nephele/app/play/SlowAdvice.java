@@ -6,8 +6,8 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.Phrase;
 import nephele.app.settings.Settings;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Size;
 import nephele.app.window.WindowMode;
-import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 
 /**
@@ -18,7 +18,15 @@ final class SlowAdvice {
     /** The time after which a cause that was away is news. */
     static final long AWAY_NANOS = 180_000_000_000L;
 
-    private final TimeLoss loss = new TimeLoss();
+    private static final long WINDOW_NANOS = 2_000_000_000L;
+    private static final double LEAST_LOSS = 0.1;
+
+    /** The first frames of a level, which may still compile shaders. */
+    private static final int SKIPPED_FRAMES = 5;
+
+    private long windowBegin;
+    private long lostAtBegin;
+    private int skipped;
     /** The last time at which each cause that was reported was present. */
     private final Map<Cause, Long> lastNanos = new HashMap<>();
 
@@ -45,16 +53,42 @@ final class SlowAdvice {
 
     /** Begins with a level: forgets the time in which it was loaded, but not the causes that were reported. */
     void restart() {
-        loss.restart();
+        skipped = 0;
+    }
+
+    /** Says a line aside if time was lost for a cause that is news. */
+    void say(long nowNanos, CurrentLevel level, GameWindow window, GameSettings settings, Message message) {
+        if (isTimeLost(nowNanos, level.session().walk().lostNanos())) {
+            var cause = new Cause(level.quality(), picture(window, settings));
+            if (isNews(cause, nowNanos, message.showsHint())) {
+                message.sayAside(text(cause, settings.get(Settings.LANGUAGE)));
+            }
+        }
     }
 
     /**
-     * Returns true if lost time shall be noticed now; see {@link TimeLoss}.
+     * Returns true once for each two seconds of which a tenth was lost: simulated time lags behind real time because
+     * frames take longer than 0.25 s.
      *
      * @param lostNanos of simulated time in the level
      */
     boolean isTimeLost(long nowNanos, long lostNanos) {
-        return loss.isNoticed(nowNanos, lostNanos);
+        if (skipped < SKIPPED_FRAMES) {
+            skipped++;
+            beginWindow(nowNanos, lostNanos);
+        }
+        long elapsed = nowNanos - windowBegin;
+        if (elapsed < WINDOW_NANOS) {
+            return false;
+        }
+        boolean isLost = lostNanos - lostAtBegin > LEAST_LOSS * elapsed;
+        beginWindow(nowNanos, lostNanos);
+        return isLost;
+    }
+
+    private void beginWindow(long nowNanos, long lostNanos) {
+        windowBegin = nowNanos;
+        lostAtBegin = lostNanos;
     }
 
     /** Returns true if a cause of lost time shall be reported now; while a hint is shown it waits for the next notice. */
@@ -69,12 +103,12 @@ final class SlowAdvice {
     }
 
     static PictureNow picture(GameWindow window, GameSettings settings) {
-        return picture(window.mode(), new WindowSize(window.width(), window.height()), settings);
+        return picture(window.mode(), new Size(window.width(), window.height()), settings);
     }
 
     /** @param shown the picture's size in pixels */
-    static PictureNow picture(WindowMode mode, WindowSize shown, GameSettings settings) {
-        WindowSize least = Settings.size(Settings.LEAST_RESOLUTION);
+    static PictureNow picture(WindowMode mode, Size shown, GameSettings settings) {
+        Size least = Size.parse(Settings.LEAST_RESOLUTION);
         boolean isSmall = (long) shown.width() * shown.height() <= (long) least.width() * least.height();
         if (isSmall) {
             return PictureNow.SMALLEST;

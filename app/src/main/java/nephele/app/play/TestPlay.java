@@ -36,11 +36,11 @@ final class TestPlay {
     private Display.Shot shot = Display.Shot.NONE;
     private Optional<FinishedRun> finished = Optional.empty();
     private boolean isLeft;
-    private int toldPercent;
+    private int reportedPercent;
     private long lastNanos = System.nanoTime();
 
     /**
-     * What the play asks and tells.
+     * The callbacks of a test play.
      *
      * @param isReplaced true when another level shall be played
      * @param firstShown runs after the first frame is on the screen
@@ -154,12 +154,7 @@ final class TestPlay {
             events.forEach(event -> Message.ofEvent(event, language).ifPresent(message::say));
             picture.after(events);
         }
-        if (slow.isTimeLost(now, walk.lostNanos())) {
-            var cause = new SlowAdvice.Cause(current.quality(), SlowAdvice.picture(window, files().settings()));
-            if (slow.isNews(cause, now, message.showsHint())) {
-                message.sayAside(SlowAdvice.text(cause, language));
-            }
-        }
+        slow.say(now, current, window, files().settings(), message);
         counter.after(events, walk).ifPresent(run -> finish(run, language));
     }
 
@@ -170,19 +165,19 @@ final class TestPlay {
     }
 
     private void relight(FollowingBake bake) {
-        if (toldPercent == SHOWN_PERCENT) {
+        if (reportedPercent == SHOWN_PERCENT) {
             return;
         }
         if (bake.isDone()) {
             boolean wasNeeded = current.session().isOtherLight(bake.scene());
             current.relight(bake.scene());
-            toldPercent = SHOWN_PERCENT;
+            reportedPercent = SHOWN_PERCENT;
             if (wasNeeded) {
                 reports.baking.accept(SHOWN_PERCENT);
             }
-        } else if (bake.percent() >= toldPercent + STEP_PERCENT) {
-            toldPercent = Math.min(bake.percent(), SHOWN_PERCENT - 1);
-            reports.baking.accept(toldPercent);
+        } else if (bake.percent() >= reportedPercent + STEP_PERCENT) {
+            reportedPercent = Math.min(bake.percent(), SHOWN_PERCENT - 1);
+            reports.baking.accept(reportedPercent);
         }
     }
 }

@@ -13,6 +13,7 @@ import nephele.app.settings.Settings;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.app.window.Screenshots;
+import nephele.app.window.Size;
 import nephele.editor.play.PlayAnswer;
 import nephele.editor.play.PlayEnd;
 import nephele.editor.play.PlayOrder;
@@ -36,7 +37,7 @@ import nephele.host.terminal.ExitCode;
  * programs, and then plays what its input orders, one line an order. It ends with its input, so that it never outlives
  * the editor.
  */
-public final class WaitingGame {
+public final class WaitingGame implements AutoCloseable {
     /** A level with most of what levels require: portals, lamps, the sky and textures. */
     private static final String WARMING = "levels/samples/portals.json";
 
@@ -52,26 +53,31 @@ public final class WaitingGame {
     private final GlContext gl;
     private final Input input;
     private final Message message;
+    private final Display display;
     private final AutoQuality auto;
     private final CurrentLevel current;
     private final GamePicture picture;
 
-    /** The last played level and its light, {@code null} before the first play. */
-    private Lit lit;
+    /** The last played level; {@code null} before the first play. */
+    private LevelName lastPlayed;
 
-    private WaitingGame(Parts parts, OrderQueue orders, PrintStream answers) {
-        usual = parts.usual;
-        window = parts.window;
-        gl = parts.gl;
-        input = parts.input;
+    private SkyVisibility lastLight;
+
+    private WaitingGame(
+            PlayRequest usual, GameWindow window, GlContext gl, Input input, OrderQueue orders, PrintStream answers) {
+        this.usual = usual;
+        this.window = window;
+        this.gl = gl;
+        this.input = input;
         this.orders = orders;
         this.answers = answers;
         var files = usual.player().files();
-        message = parts.message;
+        message = new Message(() -> files.settings().get(Settings.LANGUAGE));
+        display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         auto = new AutoQuality(files, gl.limits(), usual.player().log());
         current = new CurrentLevel(gl, new Recordings(null), message, auto);
         picture = new GamePicture(
-                parts.display,
+                display,
                 current,
                 new MenuControl(input, System::nanoTime),
                 message,
@@ -82,11 +88,6 @@ public final class WaitingGame {
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
 
-    private record Lit(LevelName level, SkyVisibility light) {}
-
-    private record Parts(
-            PlayRequest usual, GameWindow window, GlContext gl, Input input, Message message, Display display) {}
-
     /**
      * Carries out orders until the input ends.
      *
@@ -96,19 +97,20 @@ public final class WaitingGame {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var orders = OrderQueue.reading(in, WaitingGame::endAtLast);
         var input = new Input();
-        var size = new GameWindow.Request(
-                GameLoop.TITLE, usual.picture().width(), usual.picture().height());
-        var settings = usual.player().files();
-        var message = new Message(() -> settings.settings().get(Settings.LANGUAGE));
-        try (var window = GameWindow.openHidden(size, input);
+        var size = new Size(usual.picture().width(), usual.picture().height());
+        try (var window = GameWindow.openHidden(GameLoop.TITLE, size, input);
                 var gl = GlContext.ofCurrent();
-                var display = new Display(window, gl, Screenshots.inUsualFolder(), message)) {
-            var game = new WaitingGame(new Parts(usual, window, gl, input, message, display), orders, answers);
-            try {
-                game.serve();
-            } finally {
-                game.current.close();
-            }
+                var game = new WaitingGame(usual, window, gl, input, orders, answers)) {
+            game.serve();
+        }
+    }
+
+    @Override
+    public void close() {
+        try {
+            current.close();
+        } finally {
+            display.close();
         }
     }
 
@@ -243,8 +245,8 @@ public final class WaitingGame {
 
     /** Returns the light of the last play, if that was an earlier state of the level; otherwise that of its file. */
     private SkyVisibility formerLight(LevelName level) {
-        return lit != null && lit.level.equals(level)
-                ? lit.light
+        return level.equals(lastPlayed)
+                ? lastLight
                 : FollowingBake.lightOf(level).orElse(null);
     }
 
@@ -257,9 +259,8 @@ public final class WaitingGame {
                 },
                 percent -> answer(new PlayAnswer.Baking(percent)));
         var finished = new TestPlay(window, input, current, picture, message, reports).run();
-        lit = new Lit(
-                current.session().request().level(),
-                current.session().prepared().scene().skyVisibility());
+        lastPlayed = current.session().request().level();
+        lastLight = current.session().prepared().scene().skyVisibility();
         Optional<Path> recorded = record(finished);
         answer(new PlayAnswer.Ended(end(finished, recorded)));
     }

@@ -5,7 +5,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.host.compare.Wipe;
 
-/** Moves the wipe between two compared techniques by the arrow keys, which walk no longer then. */
+/** Moves the wipe between two compared techniques by the arrow keys, which do not walk meanwhile. */
 public final class WipeControl {
     private static final String LEFT = "Left";
     private static final String RIGHT = "Right";
@@ -14,7 +14,7 @@ public final class WipeControl {
     /** The names of its keys. */
     public static final List<String> KEYS = List.of(LEFT, RIGHT, ALL_RIGHT, ALL_LEFT);
 
-    /** Shares of the width that a press moves it, and a held key in a second; with Shift it is finer. */
+    /** Fractions of the width that a press moves it, and a held key in a second; with Shift it is finer. */
     private static final double STEP = 0.02;
 
     private static final double PER_SECOND = 0.4;

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import nephele.app.window.KeyBindings;
 import nephele.app.window.KeyNames;
 
@@ -58,22 +59,22 @@ public record GameSetting<T>(String key, Values<T> values, T absent, Group group
     /** One of a few words: the lower-case names of an enum's constants, with hyphens. */
     public static <E extends Enum<E>> GameSetting<E> word(String key, E absent) {
         return new GameSetting<>(
-                key, new Words<>(List.of(absent.getDeclaringClass().getEnumConstants())), absent);
+                key, new Words<>(List.of(absent.getDeclaringClass().getEnumConstants()), GameSetting::word), absent);
     }
 
     /** A setting with a few texts as values; the first one is the default. */
     public static GameSetting<String> choice(String key, List<String> all) {
-        return new GameSetting<>(key, new Texts(all), all.get(0));
+        return new GameSetting<>(key, new Words<>(all, text -> text), all.get(0));
     }
 
     /** A number between bounds; a step of the menu adds or subtracts {@code step}. */
     public static GameSetting<Double> number(String key, double least, double most, double step, double absent) {
-        return new GameSetting<>(key, new Numbers(least, most, step), absent);
+        return new GameSetting<>(key, new Numbers(least, most, step, false), absent);
     }
 
     /** A rate a second between bounds, or 0 for none; a rate close to 0 would stop what waits for it. */
     static GameSetting<Double> rate(String key, double least, double most, double step) {
-        return new GameSetting<>(key, new Rates(new Numbers(least, most, step)), 0.0);
+        return new GameSetting<>(key, new Numbers(least, most, step, true), 0.0);
     }
 
     /** Names of keys; steps of the menu do not change them. */
@@ -86,54 +87,30 @@ public record GameSetting<T>(String key, Values<T> values, T absent, Group group
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private record Words<E extends Enum<E>>(List<E> all) implements Values<E> {
+    /** @param word gives the text of a value */
+    private record Words<T>(List<T> all, Function<T, String> word) implements Values<T> {
         @Override
-        public Optional<E> read(JsonElement json) {
+        public Optional<T> read(JsonElement json) {
             return json.isJsonPrimitive() && json.getAsJsonPrimitive().isString()
                     ? all.stream()
-                            .filter(each -> word(each).equals(json.getAsString()))
+                            .filter(each -> word.apply(each).equals(json.getAsString()))
                             .findFirst()
                     : Optional.empty();
         }
 
         @Override
-        public JsonElement write(E value) {
-            return new JsonPrimitive(word(value));
+        public JsonElement write(T value) {
+            return new JsonPrimitive(word.apply(value));
         }
 
         @Override
-        public E stepped(E value, int step) {
+        public T stepped(T value, int step) {
             return all.get(Math.floorMod(all.indexOf(value) + step, all.size()));
         }
 
         @Override
         public String expected() {
-            return "one of "
-                    + String.join(", ", all.stream().map(GameSetting::word).toList());
-        }
-    }
-
-    private record Texts(List<String> all) implements Values<String> {
-        @Override
-        public Optional<String> read(JsonElement json) {
-            return all.stream()
-                    .filter(each -> json.isJsonPrimitive() && each.equals(json.getAsString()))
-                    .findFirst();
-        }
-
-        @Override
-        public JsonElement write(String value) {
-            return new JsonPrimitive(value);
-        }
-
-        @Override
-        public String stepped(String value, int step) {
-            return all.get(Math.floorMod(all.indexOf(value) + step, all.size()));
-        }
-
-        @Override
-        public String expected() {
-            return "one of " + String.join(", ", all);
+            return "one of " + String.join(", ", all.stream().map(word).toList());
         }
     }
 
@@ -171,36 +148,15 @@ public record GameSetting<T>(String key, Values<T> values, T absent, Group group
         }
     }
 
-    private record Rates(Numbers numbers) implements Values<Double> {
-        @Override
-        public Optional<Double> read(JsonElement json) {
-            return numbers.read(json).or(() -> new Numbers(0, 0, 1).read(json));
-        }
-
-        @Override
-        public JsonElement write(Double value) {
-            return numbers.write(value);
-        }
-
-        @Override
-        public Double stepped(Double value, int direction) {
-            return value + direction * numbers.step < numbers.least ? 0 : numbers.stepped(value, direction);
-        }
-
-        @Override
-        public String expected() {
-            return "0 or " + numbers.expected();
-        }
-    }
-
-    private record Numbers(double least, double most, double step) implements Values<Double> {
+    /** @param orZero whether 0 is a value too, though it is less than the least */
+    private record Numbers(double least, double most, double step, boolean orZero) implements Values<Double> {
         @Override
         public Optional<Double> read(JsonElement json) {
             if (!json.isJsonPrimitive() || !json.getAsJsonPrimitive().isNumber()) {
                 return Optional.empty();
             }
             double value = json.getAsDouble();
-            return value >= least && value <= most ? Optional.of(value) : Optional.empty();
+            return value >= least && value <= most || orZero && value == 0 ? Optional.of(value) : Optional.empty();
         }
 
         @Override
@@ -210,13 +166,16 @@ public record GameSetting<T>(String key, Values<T> values, T absent, Group group
 
         @Override
         public Double stepped(Double value, int direction) {
+            if (orZero && value + direction * step < least) {
+                return 0.0;
+            }
             double next = step * Math.rint((value + direction * step) / step);
             return Math.max(least, Math.min(most, next));
         }
 
         @Override
         public String expected() {
-            return "a number from " + text(least) + " to " + text(most);
+            return (orZero ? "0 or " : "") + "a number from " + text(least) + " to " + text(most);
         }
 
         private static String text(double number) {

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 import nephele.engine.asset.TextFile;
 
 /**
- * What levels cost on the machines that drew them, from which automatic quality chooses its first frame; immutable. A
+ * The frame times of levels on the machines that drew them, from which automatic quality chooses its first frame; immutable. A
  * broken entry counts as unknown, and is replaced when its level is played.
  */
 public final class QualityMemory {

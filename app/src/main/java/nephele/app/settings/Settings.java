@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import nephele.app.settings.GameSetting.Group;
 import nephele.app.window.Control;
 import nephele.app.window.KeyBindings;
+import nephele.app.window.Size;
 import nephele.app.window.WindowMode;
-import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 import nephele.engine.scene.ShotPalette;
 
@@ -165,15 +165,9 @@ public final class Settings {
     }
 
     /** Returns the chosen resolution; {@code null} if it is automatic. */
-    public static WindowSize resolution(GameSettings settings) {
+    public static Size resolution(GameSettings settings) {
         String chosen = settings.get(RESOLUTION);
-        return chosen.equals(AUTO_RESOLUTION) ? null : size(chosen);
-    }
-
-    /** Returns the size that a value of {@link #RESOLUTION} other than {@link #AUTO_RESOLUTION} states. */
-    public static WindowSize size(String resolution) {
-        String[] sides = resolution.split("x");
-        return new WindowSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
+        return chosen.equals(AUTO_RESOLUTION) ? null : Size.parse(chosen);
     }
 
     /** Returns the settings of a group, in the order of {@link #PAGE}. */

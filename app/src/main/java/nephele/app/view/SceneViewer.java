@@ -9,6 +9,7 @@ import nephele.app.settings.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.PadButton;
 import nephele.app.window.Screenshots;
+import nephele.app.window.Size;
 import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
@@ -56,10 +57,10 @@ public final class SceneViewer implements AutoCloseable {
      *
      * @param language of the hints
      */
-    public static void show(SceneStart start, GameWindow.Request request, Language language) {
+    public static void show(SceneStart start, String title, Size size, Language language) {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var input = new ViewerInput();
-        try (var window = GameWindow.open(request, input);
+        try (var window = GameWindow.open(title, size, input);
                 var gl = GlContext.ofCurrent();
                 var viewer = new SceneViewer(start, window, input, gl, language)) {
             while (!viewer.isLeaving()) {

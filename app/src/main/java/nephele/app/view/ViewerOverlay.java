@@ -1,5 +1,6 @@
 package nephele.app.view;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudPalette;
@@ -8,7 +9,7 @@ import nephele.app.window.GameWindow;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 
@@ -42,8 +43,8 @@ final class ViewerOverlay implements AutoCloseable {
             new Hint("H", Phrase.VIEWER_KEYS),
             new Hint("Escape", Phrase.VIEWER_LEAVE));
 
-    private final Lettering lettering = new Lettering();
-    private final OverlayCanvas canvas = new OverlayCanvas(lettering);
+    private final FontAtlas letters = new FontAtlas();
+    private final OverlayCanvas canvas = new OverlayCanvas(letters);
     private final OverlayPass pass;
     private final Language language;
     private double hintSeconds = SHOWN_SECONDS + FADE_SECONDS;
@@ -56,7 +57,7 @@ final class ViewerOverlay implements AutoCloseable {
 
     ViewerOverlay(GlContext gl, Language language) {
         this.language = language;
-        pass = new OverlayPass(gl, lettering);
+        pass = new OverlayPass(gl, letters);
     }
 
     void say(String words) {
@@ -122,14 +123,18 @@ final class ViewerOverlay implements AutoCloseable {
         if (opacity <= 0) {
             return;
         }
-        int lines = 1 + layOut(width, (hint, x, line) -> {});
-        double top = height - 2 * PADDING - lines * LINE;
+        List<List<Hint>> lines = lines(width);
+        double top = height - 2 * PADDING - lines.size() * LINE;
         canvas.rectangle(0, top, width, height - top, HudPalette.VEIL.withAlpha(0.55 * opacity));
-        layOut(width, (hint, x, line) -> {
+        for (int line = 0; line < lines.size(); line++) {
+            double x = PADDING;
             double baseline = top + PADDING + (line + 0.7) * LINE;
-            double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), key(hint));
-            canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.phrase.in(language));
-        });
+            for (Hint hint : lines.get(line)) {
+                double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), key(hint));
+                canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.phrase.in(language));
+                x += width(hint) + GAP;
+            }
+        }
     }
 
     /**
@@ -146,23 +151,19 @@ final class ViewerOverlay implements AutoCloseable {
         canvas.text(2 * PADDING, PADDING + LINE, em, HudPalette.INK, message);
     }
 
-    private interface HintPlacing {
-        void at(Hint hint, double x, int line);
-    }
-
-    /** Lays out the hints like the words of a text. Returns the last line's number. */
-    private int layOut(double width, HintPlacing placing) {
+    /** Breaks the hints into lines like the words of a text. */
+    private List<List<Hint>> lines(double width) {
+        List<List<Hint>> lines = new ArrayList<>(List.of(new ArrayList<>()));
         double x = PADDING;
-        int line = 0;
         for (Hint hint : HINTS) {
             double hintWidth = width(hint);
             if (x > PADDING && x + hintWidth > width - PADDING) {
+                lines.add(new ArrayList<>());
                 x = PADDING;
-                line++;
             }
-            placing.at(hint, x, line);
+            lines.get(lines.size() - 1).add(hint);
             x += hintWidth + GAP;
         }
-        return line;
+        return lines;
     }
 }

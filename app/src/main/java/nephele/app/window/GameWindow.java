@@ -4,11 +4,13 @@ import static org.lwjgl.glfw.GLFW.*;
 import static org.lwjgl.system.MemoryUtil.NULL;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import nephele.host.terminal.CommandFailure;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFWErrorCallback;
+import org.lwjgl.glfw.GLFWGamepadState;
 import org.lwjgl.system.Configuration;
 
 /**
@@ -25,7 +27,7 @@ public final class GameWindow implements AutoCloseable {
     private final WindowEvents events;
     private InputListener input;
     private final WindowPlace place;
-    private final PadReader pad = new PadReader();
+    private final GLFWGamepadState padState = GLFWGamepadState.calloc();
 
     private GameWindow(long handle, InputListener input) {
         this.handle = handle;
@@ -34,52 +36,54 @@ public final class GameWindow implements AutoCloseable {
         place = new WindowPlace(handle);
     }
 
-    /** The requested properties of a new window. */
-    public record Request(String title, int width, int height) {}
-
     /** Opens the window; a failure reports the system's messages (exit code 3). */
-    public static GameWindow open(Request request, InputListener input) {
-        return open(request, input, GLFW_TRUE);
+    public static GameWindow open(String title, Size size, InputListener input) {
+        return open(title, size, input, GLFW_TRUE);
     }
 
     /** Opens the window as {@link #open} does, but invisible until {@link #reveal}. */
-    public static GameWindow openHidden(Request request, InputListener input) {
-        return open(request, input, GLFW_FALSE);
+    public static GameWindow openHidden(String title, Size size, InputListener input) {
+        return open(title, size, input, GLFW_FALSE);
     }
 
-    private static GameWindow open(Request request, InputListener input, int visible) {
-        var complaints = new Complaints();
+    private static GameWindow open(String title, Size size, InputListener input, int visible) {
+        List<String> complaints = new ArrayList<>();
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
             Configuration.GLFW_LIBRARY_NAME.set("glfw_async"); // works without -XstartOnFirstThread
         }
-        glfwSetErrorCallback(complaints);
+        glfwSetErrorCallback((error, description) -> complaints.add(GLFWErrorCallback.getDescription(description)));
         if (system.contains("linux") && System.getenv("DISPLAY") != null) {
             glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
         }
         if (!glfwInit()) {
             throw SystemDisplay.unavailable(
-                    complaints.text(),
+                    reason(complaints),
                     "without a display, unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         askForCoreContext();
         glfwWindowHint(GLFW_VISIBLE, visible);
-        long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
+        long handle = glfwCreateWindow(size.width(), size.height(), title, NULL, NULL);
         if (handle == NULL) {
             glfwTerminate();
-            throw CommandFailure.environment("no window with OpenGL 4.1 core can be opened: " + complaints.text()
+            throw CommandFailure.environment("no window with OpenGL 4.1 core can be opened: " + reason(complaints)
                     + "; install a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
                     + " libgl1-mesa-dri), or unset DISPLAY and WAYLAND_DISPLAY: Nephele then draws offscreen");
         }
         glfwSetWindowSizeLimits(
                 handle,
-                Math.min(LEAST_WIDTH, request.width),
-                Math.min(LEAST_HEIGHT, request.height),
+                Math.min(LEAST_WIDTH, size.width()),
+                Math.min(LEAST_HEIGHT, size.height()),
                 GLFW_DONT_CARE,
                 GLFW_DONT_CARE);
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
         return new GameWindow(handle, input);
+    }
+
+    /** @param complaints the error messages of the window system */
+    private static String reason(List<String> complaints) {
+        return complaints.isEmpty() ? "the system gives no reason" : String.join("; ", complaints);
     }
 
     private static void askForCoreContext() {
@@ -192,39 +196,56 @@ public final class GameWindow implements AutoCloseable {
      * @param size of a free window, or of the picture of a full screen; {@code null} to keep the window's, or for the
      *     screen's own
      */
-    public void become(WindowMode mode, WindowSize size) {
+    public void become(WindowMode mode, Size size) {
         place.become(mode, size);
         input.forget();
     }
 
-    /** Returns the gamepad's state; {@link PadState#RELEASED} without one. */
+    /** Returns the state of the first gamepad that the system knows; {@link PadState#RELEASED} without one. Allocates nothing then. */
     public PadState pad() {
-        return pad.read();
+        for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; joystick++) {
+            if (glfwJoystickPresent(joystick)
+                    && glfwJoystickIsGamepad(joystick)
+                    && glfwGetGamepadState(joystick, padState)) {
+                return readPad();
+            }
+        }
+        return PadState.RELEASED;
+    }
+
+    private PadState readPad() {
+        var down = EnumSet.noneOf(PadButton.class);
+        for (PadButton button : PadButton.values()) {
+            if (button.ordinal() <= GLFW_GAMEPAD_BUTTON_LAST && padState.buttons(button.ordinal()) == GLFW_PRESS) {
+                down.add(button);
+            }
+        }
+        addIfPulled(down, PadButton.LT, GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+        addIfPulled(down, PadButton.RT, GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER);
+        return new PadState(
+                down,
+                padState.axes(GLFW_GAMEPAD_AXIS_LEFT_X),
+                padState.axes(GLFW_GAMEPAD_AXIS_LEFT_Y),
+                padState.axes(GLFW_GAMEPAD_AXIS_RIGHT_X),
+                padState.axes(GLFW_GAMEPAD_AXIS_RIGHT_Y));
+    }
+
+    /** A trigger's axis runs from −1 to 1. */
+    private void addIfPulled(EnumSet<PadButton> down, PadButton trigger, int axis) {
+        if ((padState.axes(axis) + 1) / 2 > Gamepad.PRESSED) {
+            down.add(trigger);
+        }
     }
 
     @Override
     public void close() {
-        pad.close();
+        padState.free();
         Callbacks.glfwFreeCallbacks(handle);
         glfwDestroyWindow(handle);
         glfwTerminate();
         var complaints = glfwSetErrorCallback(null);
         if (complaints != null) {
             complaints.free();
-        }
-    }
-
-    /** Collects the error messages of the window system. */
-    private static final class Complaints extends GLFWErrorCallback {
-        private final List<String> texts = new ArrayList<>();
-
-        @Override
-        public void invoke(int error, long description) {
-            texts.add(getDescription(description));
-        }
-
-        String text() {
-            return texts.isEmpty() ? "the system gives no reason" : String.join("; ", texts);
         }
     }
 }

@@ -39,7 +39,7 @@ final class WindowPlace {
      * @param size of a free window, or of the picture of a full screen; {@code null} to keep the window's, or for the
      *     screen's own
      */
-    void become(WindowMode next, WindowSize size) {
+    void become(WindowMode next, Size size) {
         long screen = screen();
         GLFWVidMode video = screen == NULL ? null : glfwGetVideoMode(screen);
         if (video == null) {
@@ -68,7 +68,7 @@ final class WindowPlace {
         mode = next;
     }
 
-    private void becomeFree(WindowSize size) {
+    private void becomeFree(Size size) {
         int width = size == null ? free.width : size.width();
         int height = size == null ? free.height : size.height();
         glfwSetWindowAttrib(handle, GLFW_DECORATED, GLFW_TRUE);

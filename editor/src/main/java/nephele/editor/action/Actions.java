@@ -14,9 +14,9 @@ public final class Actions {
                     BrushActions.ALL,
                     TextureActions.ALL,
                     ViewActions.ALL,
-                    OptionActions.ALL,
+                    ToolActions.OPTIONS,
                     TerrainActions.ALL,
-                    ToolActions.ALL,
+                    ToolActions.TOOLS,
                     PlayActions.ALL,
                     ProvingActions.ALL,
                     ViewActions.OF_WINDOW)

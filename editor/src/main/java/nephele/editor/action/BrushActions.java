@@ -24,6 +24,7 @@ import nephele.editor.document.Picker;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
 import nephele.editor.paint.MaterialLibrary;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
@@ -88,8 +89,7 @@ final class BrushActions {
         Level level = session.document().level();
         for (EntityRef ref :
                 NoteEdits.free(level, session.document().selection().entities())) {
-            session.document()
-                    .entities()
+            Entities.LEVEL
                     .find(session.document().level(), ref)
                     .filter(Solid.class::isInstance)
                     .ifPresent(entity -> solids.add((Solid) entity));
@@ -110,7 +110,7 @@ final class BrushActions {
     private static Supplier<String> freshIds(Document document, String wish) {
         Set<String> taken = new HashSet<>();
         return () -> {
-            String id = document.entities().freshId(document.level(), Picker.SOLIDS, wish, taken);
+            String id = Entities.LEVEL.freshId(document.level(), Picker.SOLIDS, wish, taken);
             taken.add(id);
             return id;
         };

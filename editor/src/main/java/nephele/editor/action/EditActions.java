@@ -10,6 +10,7 @@ import nephele.editor.document.Deletion;
 import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
@@ -135,7 +136,7 @@ final class EditActions {
                 throw new EditorRefusal(ONLY_ONE.with(ref.shortName()));
             }
         }
-        return Clip.text(document.level(), document.selection().entities(), document.entities());
+        return Clip.text(document.level(), document.selection().entities());
     }
 
     private static void cut(ActionCall call) throws EditorRefusal {
@@ -158,7 +159,7 @@ final class EditActions {
         Document document = call.session().document();
         Snapshot after;
         try {
-            after = Clip.pasted(document.now(), text, by, document.entities());
+            after = Clip.pasted(document.now(), text, by);
         } catch (LevelFormatException noLevel) {
             throw new EditorRefusal(NOTHING_TO_PASTE);
         }
@@ -215,7 +216,7 @@ final class EditActions {
         if (after.equals(before)) {
             return;
         }
-        if (document.entities().find(document.level(), after).isPresent()) {
+        if (Entities.LEVEL.find(document.level(), after).isPresent()) {
             throw new EditorRefusal(TAKEN.with(after.id()));
         }
         document.edit(RENAME, null, snapshot -> snapshot.renamed(before, after.id()));

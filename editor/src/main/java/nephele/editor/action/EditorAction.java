@@ -14,6 +14,7 @@ import nephele.editor.text.Words;
  * @param id its name in scripts and in the settings' key bindings
  * @param keys default keys as {@code KeyText} reads them, such as {@code Ctrl+Shift+D}
  * @param parameters keys that a script line may give, each with its meaning, such as {@code by=x,y,z}
+ * @param isChosen true while the choice that it makes holds; false for an action that makes none
  * @param subject what it is there to change; a script holds it to that
  */
 public record EditorAction(
@@ -23,6 +24,7 @@ public record EditorAction(
         List<String> keys,
         List<String> parameters,
         Predicate<EditorSession> isEnabled,
+        Predicate<EditorSession> isChosen,
         Effect effect,
         Subject subject) {
     /** What an action changes. */
@@ -105,26 +107,32 @@ public record EditorAction(
 
     /** Returns an action of the session without parameters that is always possible. */
     static EditorAction of(String id, Words title, Menu menu, List<String> keys, Effect effect) {
-        return new EditorAction(id, title, menu, keys, List.of(), session -> true, effect, Subject.SESSION);
+        return new EditorAction(
+                id, title, menu, keys, List.of(), session -> true, session -> false, effect, Subject.SESSION);
     }
 
     /** Returns this action, possible only if a condition holds. */
     EditorAction when(Predicate<EditorSession> condition) {
-        return new EditorAction(id, title, menu, keys, parameters, condition, effect, subject);
+        return new EditorAction(id, title, menu, keys, parameters, condition, isChosen, effect, subject);
+    }
+
+    /** Returns this action, chosen while a condition holds. */
+    EditorAction chosenWhen(Predicate<EditorSession> condition) {
+        return new EditorAction(id, title, menu, keys, parameters, isEnabled, condition, effect, subject);
     }
 
     /** Returns this action with default keys. */
     EditorAction keyed(String... defaults) {
-        return new EditorAction(id, title, menu, List.of(defaults), parameters, isEnabled, effect, subject);
+        return new EditorAction(id, title, menu, List.of(defaults), parameters, isEnabled, isChosen, effect, subject);
     }
 
     /** Returns this action with parameters. */
     EditorAction taking(String... names) {
-        return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, effect, subject);
+        return new EditorAction(id, title, menu, keys, List.of(names), isEnabled, isChosen, effect, subject);
     }
 
     /** Returns this action, which changes something else than the session. */
     EditorAction changing(Subject other) {
-        return new EditorAction(id, title, menu, keys, parameters, isEnabled, effect, other);
+        return new EditorAction(id, title, menu, keys, parameters, isEnabled, isChosen, effect, other);
     }
 }

@@ -9,15 +9,13 @@ import nephele.editor.text.Words;
  * An action or a tool of one session, ready to run.
  *
  * @param id the action's, or {@code tool-} and the tool's; names it in the settings' key bindings
- * @param description longer than the title; the same for an action
  * @param keys default keys as {@link KeyText} reads them
- * @param isChosen true for the tool in use
+ * @param isChosen true while its choice holds, such as for the tool in use
  * @param effect runs it; a failure is told to the user by the session's status
  */
 public record EditorCommand(
         String id,
         Words title,
-        Words description,
         Menu menu,
         List<String> keys,
         BooleanSupplier isEnabled,

@@ -8,35 +8,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Predicate;
 import nephele.editor.action.EditorAction.Menu;
-import nephele.editor.pane.PaneLayout.Arrangement;
-import nephele.editor.pane.ViewMode;
 import nephele.editor.session.EditorSession;
-import nephele.editor.session.EditorSetting;
-import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.text.EditorRefusal;
 import nephele.engine.level.Language;
 
 /** The commands of a session, in the order of the menus. */
 public final class EditorCommands {
-    private static final Map<String, Predicate<EditorSession>> VIEWS = Map.ofEntries(
-            Map.entry("lit", mode(ViewMode.LIT)),
-            Map.entry("unlit", mode(ViewMode.UNLIT)),
-            Map.entry("portalable", mode(ViewMode.PORTALABLE)),
-            Map.entry("collision", mode(ViewMode.COLLISION)),
-            Map.entry("wireframe", mode(ViewMode.WIREFRAME)),
-            Map.entry("one-pane", panes(Arrangement.ONE)),
-            Map.entry("two-panes", panes(Arrangement.TWO)),
-            Map.entry("four-panes", panes(Arrangement.FOUR)),
-            Map.entry("maximise", session -> session.panes().isMaximised()),
-            Map.entry("guide-lines", session -> session.settings().get(EditorSetting.GUIDE_LINES)),
-            Map.entry("theme-light", theme(Theme.LIGHT)),
-            Map.entry("theme-dark", theme(Theme.DARK)),
-            Map.entry("language-en", language(Language.EN)),
-            Map.entry("language-pt-br", language(Language.PT_BR)),
-            Map.entry("language-pt-pt", language(Language.PT_PT)));
-
     private final List<EditorCommand> all = new ArrayList<>();
     private final EditorSession session;
     private final UserInterface ui;
@@ -51,11 +29,10 @@ public final class EditorCommands {
         return new EditorCommand(
                 action.id(),
                 action.title(),
-                action.title(),
                 action.menu(),
                 action.keys(),
                 () -> action.isEnabled().test(session),
-                () -> isChosen(action.id(), session),
+                () -> action.isChosen().test(session),
                 () -> run(action));
     }
 
@@ -82,31 +59,6 @@ public final class EditorCommands {
 
     public Optional<EditorCommand> named(String id) {
         return all.stream().filter(command -> command.id().equals(id)).findFirst();
-    }
-
-    private static Predicate<EditorSession> mode(ViewMode mode) {
-        return session -> session.panes().activeView().mode() == mode;
-    }
-
-    private static Predicate<EditorSession> panes(Arrangement arrangement) {
-        return session -> session.panes().arrangement() == arrangement;
-    }
-
-    private static Predicate<EditorSession> theme(Theme theme) {
-        return session -> session.settings().get(EditorSetting.THEME) == theme;
-    }
-
-    private static Predicate<EditorSession> language(Language language) {
-        return session -> session.language() == language;
-    }
-
-    /** Returns true if the choice that an action makes holds now; false for an action that makes none. */
-    private static boolean isChosen(String action, EditorSession session) {
-        return ("tool-" + session.toolEntry().id()).equals(action)
-                || ProvingActions.isOn(session, action)
-                || VIEWS.getOrDefault(action, any -> false).test(session)
-                || OptionActions.CHOSEN.getOrDefault(action, any -> false).test(session)
-                || TerrainActions.CHOSEN.getOrDefault(action, any -> false).test(session);
     }
 
     /** Returns the commands that have every word of a query, those whose title begins with it first. */

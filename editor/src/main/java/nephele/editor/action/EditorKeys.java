@@ -16,13 +16,6 @@ import java.util.function.BiPredicate;
 public final class EditorKeys {
     private final Map<String, List<KeyText>> keys = new LinkedHashMap<>();
 
-    /**
-     * Keys that more than one command has; the first one receives it.
-     *
-     * @param commands ids in the order of the commands
-     */
-    public record KeyConflict(KeyText key, List<String> commands) {}
-
     /** @param chosen keys by command id; a text that is no key is left out */
     public EditorKeys(List<EditorCommand> commands, Map<String, List<String>> chosen) {
         for (EditorCommand command : commands) {
@@ -52,15 +45,13 @@ public final class EditorKeys {
                 .findFirst();
     }
 
-    /** Returns every key that several commands claim. */
-    public List<KeyConflict> conflicts() {
+    /** Returns the ids of the commands that have a key, in their order, for each key of several; the first receives it. */
+    public Map<KeyText, List<String>> conflicts() {
         Map<KeyText, List<String>> claims = new LinkedHashMap<>();
         keys.forEach((id, texts) -> texts.stream().distinct().forEach(key -> claims.computeIfAbsent(
                         key, first -> new ArrayList<>())
                 .add(id)));
-        return claims.entrySet().stream()
-                .filter(claim -> claim.getValue().size() > 1)
-                .map(claim -> new KeyConflict(claim.getKey(), List.copyOf(claim.getValue())))
-                .toList();
+        claims.values().removeIf(commands -> commands.size() == 1);
+        return claims;
     }
 }

@@ -7,8 +7,7 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.brush.BrushEdit;
 import nephele.editor.brush.LockableTransform;
 import nephele.editor.brush.SolidTransform;
@@ -22,7 +21,6 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
@@ -92,20 +90,19 @@ final class EntityActions {
         String typed = call.needed("kind");
         Vec3 at = call.vector("at", Vec3.ZERO);
         Document document = call.session().document();
-        LevelStructure structure = document.entities().structure();
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (kind.isPresent()) {
                 String wish = call.text("id").orElse(kind.get().name());
-                String id = document.entities().freshId(document.level(), section.path(), wish);
-                add(document, section.path(), id, NewRecord.at(kind.get(), id, at));
+                String id = Entities.LEVEL.freshId(document.level(), section.path(), wish);
+                add(document, section.path(), id, AddedRecord.at(kind.get(), id, at));
                 return;
             }
         }
-        for (SingleSection section : structure.singles()) {
+        for (SingleSection section : Entities.LEVEL.singles()) {
             Optional<RecordKind> kind = kind(section.path(), section.kinds(), typed);
             if (section.isOptional() && kind.isPresent()) {
-                add(document, section.path(), "", NewRecord.at(kind.get(), "", at));
+                add(document, section.path(), "", AddedRecord.at(kind.get(), "", at));
                 return;
             }
         }
@@ -126,8 +123,7 @@ final class EntityActions {
                 ADD,
                 null,
                 before -> new Snapshot(
-                        Completion.of(
-                                before.level(), (Level) document.entities().added(before.level(), section, entity)),
+                        AddedRecord.completed(before.level(), Entities.LEVEL.added(before.level(), section, entity)),
                         Selection.of(new EntityRef(section, id))));
     }
 
@@ -175,7 +171,7 @@ final class EntityActions {
     private static void requireEach(ActionCall call, Function<Solid, BrushEdit<?>> edit) throws EditorRefusal {
         Document document = call.session().document();
         for (EntityRef ref : EditActions.unlocked(call)) {
-            if (document.entities().find(document.level(), ref).orElseThrow() instanceof Solid solid) {
+            if (Entities.LEVEL.find(document.level(), ref).orElseThrow() instanceof Solid solid) {
                 BrushActions.done(edit.apply(solid));
             }
         }
@@ -192,8 +188,7 @@ final class EntityActions {
     }
 
     private static void change(ActionCall call, Words label, UnaryOperator<Record> change) throws EditorRefusal {
-        Entities entities = call.session().document().entities();
-        step(call, label, (level, refs) -> (Level) entities.changed(level, refs, change));
+        step(call, label, (level, refs) -> Entities.LEVEL.changed(level, refs, change));
     }
 
     /** Makes a change of what is selected a step. */
@@ -210,7 +205,7 @@ final class EntityActions {
         Document document = call.session().document();
         boolean isKnown = false;
         for (EntityRef ref : document.selection().entities()) {
-            Record entity = document.entities().find(document.level(), ref).orElseThrow();
+            Record entity = Entities.LEVEL.find(document.level(), ref).orElseThrow();
             Optional<RecordField> field = RecordKind.of(entity).field(name).filter(EntityActions::isSettable);
             if (field.isPresent()) {
                 isKnown = true;

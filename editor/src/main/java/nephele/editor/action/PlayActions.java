@@ -6,7 +6,7 @@ import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.play.PlayText;
-import nephele.editor.play.RecordedSolution;
+import nephele.editor.play.SolutionCheck;
 import nephele.editor.play.WarmGame;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
@@ -54,7 +54,7 @@ final class PlayActions {
 
     private static void record(ActionCall call) throws EditorRefusal {
         Path file = call.session().file().path().orElseThrow(() -> new EditorRefusal(UNSAVED));
-        play(call.session(), null, RecordedSolution.fileOf(file));
+        play(call.session(), null, SolutionCheck.fileOf(file));
     }
 
     private static void play(EditorSession session, PlayerStart from, Path record) {

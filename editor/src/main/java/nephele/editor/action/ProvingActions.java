@@ -57,6 +57,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F9"),
                             ProvingActions::heat)
+                    .chosenWhen(session -> session.proving().heat().isVisible())
                     .taking("show"),
             EditorAction.of(
                     "check-solution",
@@ -73,6 +74,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of("F11"),
                             ProvingActions::pathTrace)
+                    .chosenWhen(session -> session.proving().corner().isVisible())
                     .taking("show", "spp"),
             EditorAction.of(
                             "compare-techniques",
@@ -83,6 +85,7 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of(),
                             ProvingActions::compareTechniques)
+                    .chosenWhen(session -> session.proving().techniques().isVisible())
                     .when(ProvingActions::hasCloud)
                     .taking("a", "b", "wipe", "show"),
             EditorAction.of(
@@ -101,18 +104,10 @@ public final class ProvingActions {
                             Menu.PROVE,
                             List.of(),
                             ProvingActions::trade)
+                    .chosenWhen(session -> session.proving().trade().isRunning())
                     .taking("out"));
 
     private ProvingActions() {}
-
-    /** Returns true for an action whose effect is shown now, such as the heat map. */
-    public static boolean isOn(EditorSession session, String action) {
-        Proving proving = session.proving();
-        return action.equals("heat") && proving.heat().isShown()
-                || action.equals("path-trace") && proving.corner().isShown()
-                || action.equals("compare-techniques") && proving.techniques().isShown()
-                || action.equals("trade") && proving.trade().isRunning();
-    }
 
     /** Selects the entity of a problem, and shows its place. */
     public static void choose(EditorSession session, LevelProblem problem) {
@@ -128,22 +123,20 @@ public final class ProvingActions {
 
     /** A script fails at the first error of the level. */
     private static void check(ActionCall call) throws EditorRefusal {
-        List<LevelProblem> problems = call.session().proving().problems().shown();
+        List<LevelProblem> problems = call.session().proving().problems().listed();
         Words words = problems.isEmpty()
                 ? ProvingText.NO_PROBLEMS.words()
-                : ProvingText.PROBLEMS
-                        .words()
-                        .with(
-                                count(problems, LevelProblem.Severity.ERROR),
-                                count(problems, LevelProblem.Severity.WARNING),
-                                count(problems, LevelProblem.Severity.HINT));
+                : ProvingText.PROBLEMS.with(
+                        count(problems, LevelProblem.Severity.ERROR),
+                        count(problems, LevelProblem.Severity.WARNING),
+                        count(problems, LevelProblem.Severity.HINT));
         call.session().status(words);
         call.ui().show("problems");
         Optional<LevelProblem> error = problems.stream()
                 .filter(problem -> problem.severity() == LevelProblem.Severity.ERROR)
                 .findFirst();
         if (error.isPresent()) {
-            throw new EditorRefusal(told(words, error.get()));
+            throw new EditorRefusal(counted(words, error.get()));
         }
     }
 
@@ -153,26 +146,26 @@ public final class ProvingActions {
                 .count();
     }
 
-    private static Words told(Words count, LevelProblem first) {
+    private static Words counted(Words count, LevelProblem first) {
         return Words.same("%s  –  %s: %s").with(count, first.path(), first.message());
     }
 
-    private static boolean shown(ActionCall call, boolean now) throws EditorRefusal {
+    private static boolean isWanted(ActionCall call, boolean now) throws EditorRefusal {
         return call.flag("show", !now);
     }
 
     private static void heat(ActionCall call) throws EditorRefusal {
         var heat = call.session().proving().heat();
-        heat.show(shown(call, heat.isShown()));
+        heat.show(isWanted(call, heat.isVisible()));
     }
 
     private static void pathTrace(ActionCall call) throws EditorRefusal {
         var corner = call.session().proving().corner();
-        boolean shown = shown(call, corner.isShown());
+        boolean isVisible = isWanted(call, corner.isVisible());
         if (call.text("spp").isPresent()) {
-            corner.show(shown, call.whole("spp", 1, MOST_SAMPLES, 1));
+            corner.show(isVisible, call.whole("spp", 1, MOST_SAMPLES, 1));
         } else {
-            corner.show(shown);
+            corner.show(isVisible);
         }
     }
 
@@ -186,7 +179,7 @@ public final class ProvingActions {
         boolean isAsked = call.text("a").isPresent()
                 || call.text("b").isPresent()
                 || call.text("wipe").isPresent();
-        boolean shows = call.flag("show", isAsked || !comparison.isShown());
+        boolean shows = call.flag("show", isAsked || !comparison.isVisible());
         if (!shows) {
             comparison.hide();
             return;
@@ -204,7 +197,7 @@ public final class ProvingActions {
         TechniquePair before = comparison.techniques();
         comparison.techniques(
                 new TechniquePair(technique(call, "a", before.left()), technique(call, "b", before.right())));
-        comparison.wipe(new Wipe(call.number("wipe", 0, 1, comparison.wipe().share())));
+        comparison.wipe(new Wipe(call.number("wipe", 0, 1, comparison.wipe().fraction())));
         comparison.show();
         String failure = comparison.pictures().map(ComparedPictures::failure).orElse(null);
         if (failure != null) {

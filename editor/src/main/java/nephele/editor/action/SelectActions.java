@@ -1,7 +1,6 @@
 package nephele.editor.action;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -11,6 +10,7 @@ import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
@@ -64,20 +64,15 @@ final class SelectActions {
                             List.of("Ctrl+U"),
                             SelectActions::users)
                     .when(EditActions::hasSelection),
-            EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), call -> edit(call, HIDE, Part.SELECTED))
+            EditorAction.of("hide", HIDE, Menu.SELECT, List.of("H"), SelectActions::hide)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
-            EditorAction.of(
-                            "isolate",
-                            ISOLATE,
-                            Menu.SELECT,
-                            List.of("Shift+H"),
-                            call -> edit(call, ISOLATE, Part.OTHERS))
+            EditorAction.of("isolate", ISOLATE, Menu.SELECT, List.of("Shift+H"), SelectActions::isolate)
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection),
             EditorAction.of("show-all", SHOW_ALL, Menu.SELECT, List.of("Alt+H"), call -> call.session()
                             .document()
-                            .edit(SHOW_ALL, NoteEdits::allShown))
+                            .edit(SHOW_ALL, NoteEdits::allVisible))
                     .changing(Subject.LEVEL),
             EditorAction.of("lock", LOCK, Menu.SELECT, List.of("Ctrl+L"), SelectActions::lock)
                     .changing(Subject.LEVEL)
@@ -102,11 +97,6 @@ final class SelectActions {
                     .changing(Subject.LEVEL)
                     .when(EditActions::hasSelection));
 
-    private enum Part {
-        SELECTED,
-        OTHERS
-    }
-
     private SelectActions() {}
 
     private static void select(ActionCall call) throws EditorRefusal {
@@ -117,7 +107,7 @@ final class SelectActions {
         List<EntityRef> refs = new ArrayList<>();
         for (String id : call.words("ids")) {
             EntityRef ref = EntityRef.of(id);
-            if (document.entities().find(document.level(), ref).isEmpty()) {
+            if (Entities.LEVEL.find(document.level(), ref).isEmpty()) {
                 throw new EditorRefusal(UNKNOWN.with(id));
             }
             refs.add(ref);
@@ -129,7 +119,7 @@ final class SelectActions {
     private static List<EntityRef> selectable(ActionCall call) {
         Document document = call.session().document();
         List<EntityRef> all = new ArrayList<>();
-        for (EntitySection section : document.entities().structure().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             if (!section.path().equals("materials")) {
                 for (Record entity : section.entities(document.level())) {
                     all.add(new EntityRef(section.path(), RecordKind.id(entity)));
@@ -143,7 +133,7 @@ final class SelectActions {
     }
 
     private static void invert(ActionCall call) {
-        List<EntityRef> others = new ArrayList<>(selectable(call));
+        List<EntityRef> others = selectable(call);
         others.removeAll(call.session().document().selection().entities());
         call.session().document().select(Selection.of(others));
     }
@@ -151,26 +141,21 @@ final class SelectActions {
     private static void users(ActionCall call) {
         Document document = call.session().document();
         Set<EntityRef> users = new LinkedHashSet<>();
-        document.selection()
-                .entities()
-                .forEach(ref -> users.addAll(document.entities().usages(document.level(), ref)));
+        document.selection().entities().forEach(ref -> users.addAll(Entities.LEVEL.usages(document.level(), ref)));
         document.select(Selection.of(users));
     }
 
-    private static void edit(ActionCall call, Words label, Part part) {
-        Collection<EntityRef> selected = call.session().document().selection().entities();
-        List<EntityRef> hidden = new ArrayList<>(part == Part.SELECTED ? selected : selectable(call));
-        if (part == Part.OTHERS) {
-            hidden.removeAll(selected);
-        }
+    private static void hide(ActionCall call) {
+        List<EntityRef> selected = call.session().document().selection().entities();
         call.session()
                 .document()
-                .edit(
-                        label,
-                        null,
-                        before -> new Snapshot(
-                                NoteEdits.hidden(before.level(), hidden),
-                                part == Part.SELECTED ? Selection.NONE : before.selection()));
+                .edit(HIDE, null, before -> new Snapshot(NoteEdits.hidden(before.level(), selected), Selection.NONE));
+    }
+
+    private static void isolate(ActionCall call) {
+        List<EntityRef> others = selectable(call);
+        others.removeAll(call.session().document().selection().entities());
+        call.session().document().edit(ISOLATE, level -> NoteEdits.hidden(level, others));
     }
 
     private static void lock(ActionCall call) {

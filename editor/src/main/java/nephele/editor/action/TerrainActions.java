@@ -2,12 +2,9 @@ package nephele.editor.action;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
@@ -44,28 +41,14 @@ final class TerrainActions {
 
     static final List<EditorAction> ALL = all();
 
-    /** Tells by action which effect is chosen. */
-    static final Map<String, Predicate<EditorSession>> CHOSEN = chosen();
-
     private TerrainActions() {}
-
-    private static String id(Effect effect) {
-        return "terrain-" + effect.name().toLowerCase(Locale.ROOT);
-    }
-
-    private static Map<String, Predicate<EditorSession>> chosen() {
-        Map<String, Predicate<EditorSession>> states = new LinkedHashMap<>();
-        for (Effect effect : Effect.values()) {
-            states.put(id(effect), session -> session.options().terrainBrush().effect() == effect);
-        }
-        return Map.copyOf(states);
-    }
 
     private static List<EditorAction> all() {
         List<EditorAction> all = new ArrayList<>();
         for (Effect effect : Effect.values()) {
-            all.add(EditorAction.of(
-                    id(effect), effect.title(), Menu.TERRAIN, List.of(), call -> choose(call.session(), effect)));
+            String id = "terrain-" + effect.name().toLowerCase(Locale.ROOT);
+            all.add(EditorAction.of(id, effect.title(), Menu.TERRAIN, List.of(), call -> choose(call.session(), effect))
+                    .chosenWhen(session -> session.options().terrainBrush().effect() == effect));
         }
         all.add(sized(
                 "terrain-smaller",

@@ -16,6 +16,7 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureAlignment;
 import nephele.editor.paint.TextureFit;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
@@ -47,12 +48,7 @@ final class TextureActions {
                             Words.of("Fit Texture", "Ajustar textura à face", "Ajustar textura à face"),
                             Menu.BRUSH,
                             List.of("Ctrl+Alt+F"),
-                            call -> place(
-                                    call,
-                                    face -> TextureFit.fit(
-                                            face,
-                                            call.number("across", LEAST_REPEATS, MOST_REPEATS, 1),
-                                            call.number("down", LEAST_REPEATS, MOST_REPEATS, 1))))
+                            TextureActions::fit)
                     .taking("across", "down")
                     .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces),
@@ -71,13 +67,13 @@ final class TextureActions {
                     .changing(Subject.LEVEL)
                     .when(TextureActions::hasFaces));
 
-    /** Finds the place of a picture on a face. */
-    @FunctionalInterface
-    private interface Placing {
-        TexturePlacement of(PaintedFace face) throws EditorRefusal;
-    }
-
     private TextureActions() {}
+
+    private static void fit(ActionCall call) throws EditorRefusal {
+        double across = call.number("across", LEAST_REPEATS, MOST_REPEATS, 1);
+        double down = call.number("down", LEAST_REPEATS, MOST_REPEATS, 1);
+        place(call, face -> TextureFit.fit(face, across, down));
+    }
 
     private static EditorAction aligned(String id, Words where, TextureAlignment alignment) {
         Words title = Words.of("Align Texture %s", "Alinhar textura %s", "Alinhar textura %s")
@@ -112,7 +108,7 @@ final class TextureActions {
             for (EntityRef ref :
                     NoteEdits.free(document.level(), document.selection().entities())) {
                 if (ref.section().equals(Picker.SOLIDS)) {
-                    document.entities()
+                    Entities.LEVEL
                             .find(document.level(), ref)
                             .ifPresent(solid -> faces.put(ref, new LinkedHashSet<>(SolidFaces.names((Solid) solid))));
                 }
@@ -121,19 +117,20 @@ final class TextureActions {
         return faces;
     }
 
-    private static void place(ActionCall call, Placing placing) throws EditorRefusal {
+    private static void place(ActionCall call, Function<PaintedFace, TexturePlacement> placing) {
         Document document = call.session().document();
         Level level = document.level();
         for (Map.Entry<EntityRef, Set<String>> each : faces(document).entrySet()) {
-            Solid solid = (Solid) document.entities().find(level, each.getKey()).orElseThrow();
+            Solid solid = (Solid) Entities.LEVEL.find(level, each.getKey()).orElseThrow();
             Solid placed = placed(level, solid, each.getValue(), placing);
-            level = (Level) document.entities().changed(level, List.of(each.getKey()), old -> (Record) placed);
+            level = Entities.LEVEL.changed(level, List.of(each.getKey()), old -> (Record) placed);
         }
         Level after = level;
         document.edit(PLACE, null, before -> before.with(after));
     }
 
-    private static Solid placed(Level level, Solid solid, Set<String> faces, Placing placing) throws EditorRefusal {
+    private static Solid placed(
+            Level level, Solid solid, Set<String> faces, Function<PaintedFace, TexturePlacement> placing) {
         Function<String, Material> materials = id -> level.materials().stream()
                 .filter(material -> material.id().equals(id))
                 .findFirst()
@@ -141,8 +138,8 @@ final class TextureActions {
         Solid result = solid;
         for (BrushFace face : brushFaces(solid)) {
             if (faces.contains(face.name())) {
-                TexturePlacement placement = placing.of(PaintedFace.of(face, materials.apply(face.material())));
-                Solid.Face authored = SolidFaces.said(result, face.name());
+                TexturePlacement placement = placing.apply(PaintedFace.of(face, materials.apply(face.material())));
+                Solid.Face authored = SolidFaces.authored(result, face.name());
                 result = SolidFaces.with(
                         result,
                         face.name(),
@@ -164,10 +161,8 @@ final class TextureActions {
         EditorSession session = call.session();
         Map.Entry<EntityRef, Set<String>> first =
                 faces(session.document()).entrySet().iterator().next();
-        Solid solid = (Solid) session.document()
-                .entities()
-                .find(session.document().level(), first.getKey())
-                .orElseThrow();
+        Solid solid = (Solid)
+                Entities.LEVEL.find(session.document().level(), first.getKey()).orElseThrow();
         String material = brushFaces(solid).stream()
                 .filter(face -> first.getValue().contains(face.name()))
                 .findFirst()

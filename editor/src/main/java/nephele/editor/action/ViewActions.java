@@ -2,7 +2,6 @@ package nephele.editor.action;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
 import nephele.editor.action.EditorAction.Menu;
 import nephele.editor.action.EditorAction.Subject;
 import nephele.editor.document.Document;
@@ -15,9 +14,11 @@ import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.pane.ViewMode;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
@@ -43,11 +44,12 @@ final class ViewActions {
             panes("two-panes", Words.of("Two Panes", "Dois painéis", "Dois painéis"), Arrangement.TWO, "Ctrl+2"),
             panes("four-panes", Words.of("Four Panes", "Quatro painéis", "Quatro painéis"), Arrangement.FOUR, "Ctrl+4"),
             EditorAction.of(
-                    "maximise",
-                    Words.of("Maximise Pane", "Maximizar painel", "Maximizar painel"),
-                    Menu.VIEW,
-                    List.of("Shift+Space"),
-                    call -> call.session().panes(PaneLayout::maximiseToggled)),
+                            "maximise",
+                            Words.of("Maximise Pane", "Maximizar painel", "Maximizar painel"),
+                            Menu.VIEW,
+                            List.of("Shift+Space"),
+                            call -> call.session().panes(PaneLayout::maximiseToggled))
+                    .chosenWhen(session -> session.panes().isMaximised()),
             EditorAction.of(
                     "cycle-view",
                     Words.of("Next View", "Próxima vista", "Vista seguinte"),
@@ -87,45 +89,55 @@ final class ViewActions {
                                             call.session().grid().stepMetres()))))
                     .taking("metres"),
             EditorAction.of(
-                    "guide-lines",
-                    Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"),
-                    Menu.VIEW,
-                    List.of("Shift+G"),
-                    call -> call.session().settings(guideLines(call.session()))),
-            setting("theme-light", Words.of("Light Theme", "Tema claro", "Tema claro"), session -> session.settings()
-                    .with(EditorSetting.THEME, EditorSetting.Theme.LIGHT)),
-            setting("theme-dark", Words.of("Dark Theme", "Tema escuro", "Tema escuro"), session -> session.settings()
-                    .with(EditorSetting.THEME, EditorSetting.Theme.DARK)),
+                            "guide-lines",
+                            Words.of("Guide Lines", "Linhas de guia", "Linhas de guia"),
+                            Menu.VIEW,
+                            List.of("Shift+G"),
+                            call -> call.session().settings(guideLines(call.session())))
+                    .chosenWhen(session -> session.settings().get(EditorSetting.GUIDE_LINES)),
+            setting(
+                    "theme-light",
+                    Words.of("Light Theme", "Tema claro", "Tema claro"),
+                    EditorSetting.THEME,
+                    Theme.LIGHT),
+            setting(
+                    "theme-dark",
+                    Words.of("Dark Theme", "Tema escuro", "Tema escuro"),
+                    EditorSetting.THEME,
+                    Theme.DARK),
             language(Language.EN),
             language(Language.PT_BR),
             language(Language.PT_PT));
     /** The parts of the window that ask or report something; a script has none of them. */
     static final List<EditorAction> OF_WINDOW = List.of(
-            shown("turn-by", Words.of("Turn by…", "Girar em…", "Rodar em…"), Menu.EDIT, List.of("Ctrl+Alt+R"))
+            part("turn-by", Words.of("Turn by…", "Girar em…", "Rodar em…"), Menu.EDIT, List.of("Ctrl+Alt+R"))
                     .when(EditActions::hasSelection),
-            shown("settings", Words.of("Settings…", "Configurações…", "Definições…"), Menu.EDIT, List.of("Ctrl+Comma")),
-            shown(
+            part("settings", Words.of("Settings…", "Configurações…", "Definições…"), Menu.EDIT, List.of("Ctrl+Comma")),
+            part(
                     "guide",
                     Words.of("Guide: Your First Room", "Guia: sua primeira sala", "Guia: a tua primeira sala"),
                     Menu.HELP,
                     List.of("F1")),
-            shown(
+            part(
                     "palette",
                     Words.of("Search Commands…", "Buscar comandos…", "Procurar comandos…"),
                     Menu.HELP,
                     List.of("Ctrl+K", "Ctrl+Shift+P")),
-            shown("keys", Words.of("Keys…", "Teclas…", "Teclas…"), Menu.HELP, List.of()));
+            part("keys", Words.of("Keys…", "Teclas…", "Teclas…"), Menu.HELP, List.of()));
 
     private ViewActions() {}
 
     private static EditorAction mode(String id, Words title, ViewMode mode, String key) {
         return EditorAction.of(id, title, Menu.VIEW, List.of(key), call -> call.session()
-                .panes(panes -> panes.with(panes.active(), panes.activeView().with(mode))));
+                        .panes(panes ->
+                                panes.with(panes.active(), panes.activeView().with(mode))))
+                .chosenWhen(session -> session.panes().activeView().mode() == mode);
     }
 
     private static EditorAction panes(String id, Words title, Arrangement arrangement, String key) {
-        return EditorAction.of(
-                id, title, Menu.VIEW, List.of(key), call -> call.session().panes(panes -> panes.with(arrangement)));
+        return EditorAction.of(id, title, Menu.VIEW, List.of(key), call -> call.session()
+                        .panes(panes -> panes.with(arrangement)))
+                .chosenWhen(session -> session.panes().arrangement() == arrangement);
     }
 
     private static EditorSettings guideLines(EditorSession session) {
@@ -133,15 +145,15 @@ final class ViewActions {
                 .with(EditorSetting.GUIDE_LINES, !session.settings().get(EditorSetting.GUIDE_LINES));
     }
 
-    private static EditorAction setting(String id, Words title, Function<EditorSession, EditorSettings> change) {
-        return EditorAction.of(
-                id, title, Menu.WINDOW, List.of(), call -> call.session().settings(change.apply(call.session())));
+    private static <T> EditorAction setting(String id, Words title, EditorSetting<T> setting, T value) {
+        return EditorAction.of(id, title, Menu.WINDOW, List.of(), call -> call.session()
+                        .settings(call.session().settings().with(setting, value)))
+                .chosenWhen(session -> session.settings().get(setting) == value);
     }
 
     private static EditorAction language(Language language) {
         String id = "language-" + language.name().toLowerCase(Locale.ROOT).replace('_', '-');
-        return setting(
-                id, Words.same(language.title()), session -> session.settings().with(EditorSetting.LANGUAGE, language));
+        return setting(id, Words.same(language.title()), EditorSetting.LANGUAGE, language);
     }
 
     /** Shows what is selected, or the whole level, in all panes. */
@@ -149,18 +161,18 @@ final class ViewActions {
         EditorSession session = call.session();
         Document document = session.document();
         List<EntityRef> refs = document.selection().entities().isEmpty()
-                ? document.entities().all(document.level())
+                ? Entities.LEVEL.all(document.level())
                 : document.selection().entities();
         Aabb box = Aabb.EMPTY;
         for (EntityRef ref : refs) {
-            box = box.union(document.entities()
+            box = box.union(Entities.LEVEL
                     .find(document.level(), ref)
                     .map(EntityBounds::of)
                     .orElse(Aabb.EMPTY));
         }
         if (!box.isEmpty()) {
-            Aabb shown = box;
-            session.panes(panes -> focused(panes, shown, session.viewport()));
+            Aabb all = box;
+            session.panes(panes -> focused(panes, all, session.viewport()));
         }
     }
 
@@ -194,7 +206,7 @@ final class ViewActions {
                         view.mode())));
     }
 
-    private static EditorAction shown(String id, Words title, Menu menu, List<String> keys) {
+    private static EditorAction part(String id, Words title, Menu menu, List<String> keys) {
         return EditorAction.of(id, title, menu, keys, call -> call.ui().show(id))
                 .changing(Subject.WINDOW);
     }

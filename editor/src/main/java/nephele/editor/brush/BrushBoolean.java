@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
-import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
 /** Boolean operations on convex solids (constructive solid geometry), and hollowing. */
@@ -62,8 +61,8 @@ public final class BrushBoolean {
         for (Solid piece : pieces) {
             lost -= volume(piece);
         }
-        double slivers = BrushCheck.LEAST_THICKNESS_METRES
-                * PolyhedronMeasure.surfaceSquareMetres(Brush.of(solid).shape());
+        double slivers =
+                BrushCheck.LEAST_THICKNESS_METRES * Brush.of(solid).shape().surfaceSquareMetres();
         return Math.abs(lost) <= slivers ? BrushEdit.done(pieces) : BrushEdit.refused(BrushText.NOT_SOLID);
     }
 
@@ -152,7 +151,7 @@ public final class BrushBoolean {
     }
 
     private static double volume(Solid solid) {
-        return PolyhedronMeasure.volumeCubicMetres(Brush.of(solid).shape());
+        return Brush.of(solid).shape().volumeCubicMetres();
     }
 
     /**

@@ -5,7 +5,6 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
 /** Checks that a level may contain a solid. Every result of this package passes. */
@@ -18,7 +17,7 @@ public final class BrushCheck {
     /** Shorter normals are refused by the rules of a level. */
     private static final double SHORTEST_NORMAL = 1e-9;
 
-    /** Share by which rounding may make a brush of just the least thickness thinner. */
+    /** Fraction by which rounding may make a brush of just the least thickness thinner. */
     private static final double ROUNDING = 1e-9;
 
     private BrushCheck() {}
@@ -67,7 +66,7 @@ public final class BrushCheck {
                 && Math.min(prism.radiusMetres(), prism.heightMetres()) < LEAST_THICKNESS_METRES) {
             return false;
         }
-        return PolyhedronMeasure.thicknessMetres(shape) >= LEAST_THICKNESS_METRES * (1 - ROUNDING);
+        return shape.thicknessMetres() >= LEAST_THICKNESS_METRES * (1 - ROUNDING);
     }
 
     private static boolean isThick(Vec3 size) {

@@ -90,18 +90,18 @@ public final class FaceExtrude {
         }
         Plane cap = from.plane();
         List<PlaneFace> planes = new ArrayList<>();
-        planes.add(said(solid, new Plane(cap.nx(), cap.ny(), cap.nz(), cap.distance() + metres), from));
-        planes.add(said(solid, cap.opposite(), from));
+        planes.add(looking(solid, new Plane(cap.nx(), cap.ny(), cap.nz(), cap.distance() + metres), from));
+        planes.add(looking(solid, cap.opposite(), from));
         for (int i = 0; i < from.polygon().size(); i++) {
             Vec3 a = from.polygon().get(i);
             Vec3 b = from.polygon().get((i + 1) % from.polygon().size());
             BrushFace beside = beside(brush, from, a, b);
-            planes.add(said(solid, side(cap, a, b, beside.plane()), beside));
+            planes.add(looking(solid, side(cap, a, b, beside.plane()), beside));
         }
         return PlaneForm.rebuilt(PlaneForm.with(solid, newId, planes)).map(grown -> List.of(solid, grown));
     }
 
-    private static PlaneFace said(Solid solid, Plane plane, BrushFace look) {
+    private static PlaneFace looking(Solid solid, Plane plane, BrushFace look) {
         return PlaneForm.look(solid, PlaneForm.canonical(plane), PlaneForm.lookOf(look));
     }
 

@@ -6,8 +6,8 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
-import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 
 /** Holds the faces of solids before an edit; the sides of their new convex hull take plane and look from them. */
@@ -73,7 +73,7 @@ final class HullFaces {
             double cosine = candidate.face.plane().normal().dot(plane.normal());
             boolean isOn = cosine > 0
                     && candidate.face.polygon().stream().allMatch(p -> Math.abs(plane.signedDistance(p)) <= tolerance);
-            double score = isOn ? 2 + PolyhedronMeasure.areaSquareMetres(candidate.face.polygon()) : cosine;
+            double score = isOn ? 2 + ConvexPolyhedron.areaSquareMetres(candidate.face.polygon()) : cosine;
             if (score > bestScore) {
                 best = candidate;
                 bestScore = score;

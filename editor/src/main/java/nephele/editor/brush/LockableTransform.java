@@ -51,7 +51,7 @@ public record LockableTransform(boolean isTextureLocked, Function<String, Materi
             BrushFace from = before(face, old, move);
             if (showsPicture(from)) {
                 TexturePlacement placement = TextureFit.locked(painted(from), painted(face), move);
-                Solid.Face authored = SolidFaces.said(after, face.name());
+                Solid.Face authored = SolidFaces.authored(after, face.name());
                 locked = SolidFaces.with(
                         locked, face.name(), new Solid.Face(authored.material(), authored.portalable(), placement));
             }

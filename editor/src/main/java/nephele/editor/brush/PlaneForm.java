@@ -31,7 +31,7 @@ final class PlaneForm {
                 faces.add(planes.planes().get(at));
             } else {
                 BrushFace face = brush.faces().get(i);
-                faces.add(withFace(canonical(face.plane()), SolidFaces.said(solid, face.name())));
+                faces.add(withFace(canonical(face.plane()), SolidFaces.authored(solid, face.name())));
             }
         }
         return with(solid, solid.id(), faces);

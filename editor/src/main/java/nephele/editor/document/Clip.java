@@ -13,7 +13,6 @@ import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.engine.level.EditorNotes.Group;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
@@ -33,25 +32,25 @@ public final class Clip {
     private Clip() {}
 
     /** Returns the text of the entities of lists; single records cannot be copied. */
-    public static String text(Level level, Collection<EntityRef> refs, Entities entities) {
+    public static String text(Level level, Collection<EntityRef> refs) {
         Set<EntityRef> wanted = new LinkedHashSet<>(refs);
         for (EntityRef ref : refs) {
-            entities.find(level, ref).ifPresent(entity -> wanted.addAll(materials(entity)));
+            Entities.LEVEL.find(level, ref).ifPresent(entity -> wanted.addAll(materials(entity)));
         }
         Environment none = new Environment(null, null, null, Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         Level clip = Level.of("", "", none, List.of());
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             List<Record> chosen = section.entities(level).stream()
                     .filter(entity -> wanted.contains(new EntityRef(section.path(), RecordKind.id(entity))))
                     .toList();
-            clip = (Level) section.with(clip, chosen);
+            clip = section.with(clip, chosen);
         }
         return LevelJson.write(NoteEdits.copied(clip, level.editor(), refs));
     }
 
     private static List<EntityRef> materials(Record entity) {
         List<EntityRef> used = new ArrayList<>();
-        RecordWalk.map(entity, (field, value) -> {
+        RecordKind.mapped(entity, (field, value) -> {
             if (field.declaration().refersTo().equals(MATERIALS) && value != null) {
                 used.add(new EntityRef(MATERIALS, (String) value));
             }
@@ -67,18 +66,17 @@ public final class Clip {
      * @param by displacement of what is pasted, metres
      * @throws LevelFormatException if the text is no level
      */
-    public static Snapshot pasted(Snapshot before, String text, Vec3 by, Entities entities)
-            throws LevelFormatException {
+    public static Snapshot pasted(Snapshot before, String text, Vec3 by) throws LevelFormatException {
         Level clip = LevelJson.read("clipboard", text.getBytes(StandardCharsets.UTF_8));
         Level level = before.level();
-        Map<String, Map<String, String>> newIds = freshIds(clip, level, entities);
+        Map<String, Map<String, String>> newIds = freshIds(clip, level);
         List<EntityRef> pasted = new ArrayList<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             boolean isMaterials = section.path().equals(MATERIALS);
             Set<String> present = new HashSet<>();
             section.entities(level).forEach(entity -> present.add(RecordKind.id(entity)));
             List<Record> all = new ArrayList<>(section.entities(level));
-            boolean onlyMaterials = isMaterials && hasOnlyMaterials(clip, entities);
+            boolean onlyMaterials = isMaterials && hasOnlyMaterials(clip);
             for (Record entity : section.entities(clip)) {
                 String id = RecordKind.id(entity);
                 if (isMaterials && !onlyMaterials) {
@@ -92,7 +90,7 @@ public final class Clip {
                 pasted.add(new EntityRef(section.path(), newId));
             }
             if (all.size() > section.entities(level).size()) {
-                level = (Level) section.with(level, all);
+                level = section.with(level, all);
             }
         }
         for (Group group : clip.editor().groups()) {
@@ -108,19 +106,19 @@ public final class Clip {
         return new Snapshot(level, Selection.of(pasted));
     }
 
-    private static boolean hasOnlyMaterials(Level clip, Entities entities) {
-        return entities.structure().lists().stream()
+    private static boolean hasOnlyMaterials(Level clip) {
+        return Entities.LEVEL.lists().stream()
                 .allMatch(section -> section.path().equals(MATERIALS)
                         || section.entities(clip).isEmpty());
     }
 
-    private static Map<String, Map<String, String>> freshIds(Level clip, Level level, Entities entities) {
+    private static Map<String, Map<String, String>> freshIds(Level clip, Level level) {
         Map<String, Map<String, String>> all = new HashMap<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             Map<String, String> ids = new HashMap<>();
             Set<String> taken = new HashSet<>();
             for (Record entity : section.entities(clip)) {
-                String fresh = entities.freshId(level, section.path(), RecordKind.id(entity), taken);
+                String fresh = Entities.LEVEL.freshId(level, section.path(), RecordKind.id(entity), taken);
                 taken.add(fresh);
                 ids.put(RecordKind.id(entity), fresh);
             }

@@ -12,10 +12,8 @@ import java.util.Set;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
@@ -37,14 +35,14 @@ public final class Deletion {
     /** Returns the entities that stay and refer to a deleted one. */
     public List<EntityRef> users() {
         List<EntityRef> users = new ArrayList<>();
-        for (EntitySection section : LevelStructure.LEVEL.lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             for (Record entity : section.entities(before.level())) {
                 addUser(users, new EntityRef(section.path(), RecordKind.id(entity)), entity);
             }
         }
-        for (SingleSection single : LevelStructure.LEVEL.singles()) {
+        for (SingleSection single : Entities.LEVEL.singles()) {
             // The level and the environment hold the lists, whose entities are users themselves.
-            boolean isOwner = LevelStructure.LEVEL.lists().stream()
+            boolean isOwner = Entities.LEVEL.lists().stream()
                     .anyMatch(list -> single.path().isEmpty() || list.path().startsWith(single.path() + "."));
             if (!isOwner && single.get(before.level()) != null) {
                 addUser(users, EntityRef.single(single.path()), single.get(before.level()));
@@ -68,7 +66,7 @@ public final class Deletion {
     }
 
     private List<String> left(Level level, String section) {
-        return LevelStructure.LEVEL.list(section).stream()
+        return Entities.LEVEL.list(section).stream()
                 .flatMap(list -> list.entities(level).stream())
                 .map(RecordKind::id)
                 .filter(id -> !ids.get(section).contains(id))
@@ -82,12 +80,12 @@ public final class Deletion {
      *     others name the first entity that is left
      */
     public Snapshot after(Optional<String> substitute) {
-        Level rid = (Level) Entities.LEVEL.changed(before.level(), users(), entity -> replaced(entity, substitute));
+        Level rid = Entities.LEVEL.changed(before.level(), users(), entity -> replaced(entity, substitute));
         return before.with(rid).without(gone);
     }
 
     private Record replaced(Record entity, Optional<String> substitute) {
-        return RecordWalk.map(entity, (field, value) -> {
+        return RecordKind.mapped(entity, (field, value) -> {
             Set<String> deleted = ids.getOrDefault(field.declaration().refersTo(), Set.of());
             return value instanceof String id && deleted.contains(id)
                     ? substitute.orElseGet(() -> absent(entity, field, id))

@@ -19,7 +19,6 @@ import nephele.engine.level.Level;
  * window; others get snapshots.
  */
 public final class Document {
-    private final Entities entities = Entities.LEVEL;
     private final List<BiConsumer<Snapshot, Snapshot>> listeners = new ArrayList<>();
     private final List<Consumer<Words>> refusals = new ArrayList<>();
     private History history;
@@ -44,10 +43,6 @@ public final class Document {
     public Registration onRefusal(Consumer<Words> listener) {
         refusals.add(listener);
         return () -> refusals.remove(listener);
-    }
-
-    public Entities entities() {
-        return entities;
     }
 
     /** Returns what is shown: the state of the drag in progress, or the current snapshot. */
@@ -207,7 +202,7 @@ public final class Document {
         if (selection.isEmpty()) {
             return snapshot;
         }
-        Set<EntityRef> present = new HashSet<>(entities.all(snapshot.level()));
+        Set<EntityRef> present = new HashSet<>(Entities.LEVEL.all(snapshot.level()));
         return snapshot.with(selection.only(present::contains));
     }
 

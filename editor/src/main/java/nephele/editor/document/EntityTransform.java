@@ -8,7 +8,7 @@ import nephele.editor.brush.SolidTransform;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.RecordField;
-import nephele.editor.record.RecordWalk;
+import nephele.editor.record.RecordKind;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
@@ -24,7 +24,7 @@ public final class EntityTransform {
 
     /** Returns the level with entities moved. */
     public static Level moved(Level level, Collection<EntityRef> refs, Vec3 by) {
-        return by.equals(Vec3.ZERO) ? level : (Level) Entities.LEVEL.changed(level, refs, entity -> moved(entity, by));
+        return by.equals(Vec3.ZERO) ? level : Entities.LEVEL.changed(level, refs, entity -> moved(entity, by));
     }
 
     /** Returns the level with entities moved, textures fixed to their brushes or to the world. */
@@ -33,7 +33,7 @@ public final class EntityTransform {
             return level;
         }
         LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
-        return (Level) Entities.LEVEL.changed(
+        return Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid ? (Record) solids.moved(solid, by) : moved(entity, by));
@@ -43,7 +43,7 @@ public final class EntityTransform {
     public static Level turned(
             Level level, Collection<EntityRef> refs, Vec3 pivot, Vec3 axis, double degrees, boolean isTextureLocked) {
         LockableTransform solids = LockableTransform.of(isTextureLocked, level.materials());
-        return (Level) Entities.LEVEL.changed(
+        return Entities.LEVEL.changed(
                 level,
                 refs,
                 entity -> entity instanceof Solid solid
@@ -72,7 +72,7 @@ public final class EntityTransform {
             return turned(model, pivot, axis, degrees);
         }
         Turn turn = new Turn(pivot, axis, degrees);
-        return RecordWalk.map(entity, (field, value) -> turned(field, value, turn));
+        return RecordKind.mapped(entity, (field, value) -> turned(field, value, turn));
     }
 
     private static Object turned(RecordField field, Object value, Turn turn) {
@@ -100,7 +100,7 @@ public final class EntityTransform {
             return before(model, steps);
         }
         double length = Math.cbrt(Math.abs(factors.x() * factors.y() * factors.z()));
-        return RecordWalk.map(entity, (field, value) -> scaled(field, value, pivot, factors, length));
+        return RecordKind.mapped(entity, (field, value) -> scaled(field, value, pivot, factors, length));
     }
 
     private static Object scaled(RecordField field, Object value, Vec3 pivot, Vec3 factors, double length) {
@@ -119,7 +119,7 @@ public final class EntityTransform {
     }
 
     private static Record points(Record entity, java.util.function.UnaryOperator<Vec3> change) {
-        return RecordWalk.map(
+        return RecordKind.mapped(
                 entity,
                 (field, value) ->
                         field.spatial() == Spatial.POINT && value instanceof Vec3 point ? change.apply(point) : value);

@@ -45,7 +45,7 @@ public final class NoteEdits {
     }
 
     /** Returns the level with nothing hidden. */
-    public static Level allShown(Level level) {
+    public static Level allVisible(Level level) {
         return level.editor().hidden().isEmpty() ? level : withHidden(level, List.of());
     }
 

@@ -25,15 +25,13 @@ public final class Picker {
 
     private final Level level;
     private final LevelShapes shapes;
-    private final Entities entities;
     private final Set<String> hidden;
     private final Set<String> locked;
 
     /** Creates a picker of a snapshot. */
-    public Picker(Level level, LevelShapes shapes, Entities entities) {
+    public Picker(Level level, LevelShapes shapes) {
         this.level = level;
         this.shapes = shapes;
-        this.entities = entities;
         hidden = new HashSet<>(level.editor().hidden());
         locked = new HashSet<>(level.editor().locked());
     }
@@ -71,7 +69,7 @@ public final class Picker {
     /** Returns the visible entities other than solids. */
     private List<EntityRef> symbols() {
         List<EntityRef> refs = new ArrayList<>();
-        for (EntitySection section : entities.structure().lists()) {
+        for (EntitySection section : Entities.LEVEL.lists()) {
             if (!section.path().equals(SOLIDS)) {
                 for (Record entity : section.entities(level)) {
                     refs.add(new EntityRef(section.path(), RecordKind.id(entity)));

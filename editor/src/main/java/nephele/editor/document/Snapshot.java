@@ -21,7 +21,7 @@ public record Snapshot(Level level, Selection selection) {
 
     /** Returns the state without some entities, also in the notes and the selection. */
     public Snapshot without(Collection<EntityRef> removed) {
-        Level left = (Level) Entities.LEVEL.without(level, removed);
+        Level left = Entities.LEVEL.without(level, removed);
         return new Snapshot(NoteEdits.without(left, removed), selection.only(ref -> !removed.contains(ref)));
     }
 
@@ -34,7 +34,7 @@ public record Snapshot(Level level, Selection selection) {
         Map<EntityRef, List<EntityRef>> names = new LinkedHashMap<>();
         for (Map.Entry<EntityRef, ? extends List<? extends Record>> source : pieces.entrySet()) {
             EntityRef ref = source.getKey();
-            changed = (Level) Entities.LEVEL.replaced(changed, ref, source.getValue());
+            changed = Entities.LEVEL.replaced(changed, ref, source.getValue());
             names.put(
                     ref,
                     source.getValue().stream()
@@ -50,7 +50,7 @@ public record Snapshot(Level level, Selection selection) {
     /** Returns the state with another id of an entity, also in references, notes and the selection. */
     public Snapshot renamed(EntityRef before, String newId) {
         EntityRef after = new EntityRef(before.section(), newId);
-        Level renamed = (Level) Entities.LEVEL.renamed(level, before, newId);
+        Level renamed = Entities.LEVEL.renamed(level, before, newId);
         return new Snapshot(NoteEdits.renamed(renamed, before, after), selection.renamed(before, after));
     }
 }

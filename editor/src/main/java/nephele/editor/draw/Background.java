@@ -3,8 +3,7 @@ package nephele.editor.draw;
 import nephele.editor.pane.MarkColour;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.ToneMapping;
-import nephele.engine.render.line.LineColour;
-import nephele.engine.render.pass.overlay.OverlayColour;
+import nephele.engine.render.gl.DisplayColour;
 
 /** The brightness behind plans and behind levels without their own sky, with the shades of marks on it. */
 public enum Background {
@@ -39,15 +38,15 @@ public enum Background {
     }
 
     /** Returns the opaque shade of a mark: a bright one on the dark, to which drawing adds outlines over surfaces. */
-    LineColour shade(MarkColour colour) {
-        return LineColour.of(this == DARK ? onDark(colour) : onLight(colour), 1);
+    DisplayColour shade(MarkColour colour) {
+        return DisplayColour.of(this == DARK ? onDark(colour) : onLight(colour), 1);
     }
 
     /** Returns the shade of the plate behind letters that stand on a plan's lines. */
-    OverlayColour plate() {
+    DisplayColour plate() {
         return this == DARK
-                ? new OverlayColour(0.09f, 0.1f, 0.115f, 0.85f)
-                : new OverlayColour(0.98f, 0.98f, 0.985f, 0.85f);
+                ? new DisplayColour(0.09f, 0.1f, 0.115f, 0.85f)
+                : new DisplayColour(0.98f, 0.98f, 0.985f, 0.85f);
     }
 
     private static int onDark(MarkColour colour) {

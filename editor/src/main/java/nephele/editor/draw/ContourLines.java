@@ -54,9 +54,9 @@ final class ContourLines {
     /** Returns the metres between two lines: 1, 2 or 5 times a power of 10; 0 for a plane field. */
     static double interval(PlanCamera camera, PaneSize size, HeightField field) {
         double range = field.bounds().maxY() - field.bounds().minY();
-        double seen = Math.max(size.width(), size.height()) * camera.metresPerPixel();
+        double visible = Math.max(size.width(), size.height()) * camera.metresPerPixel();
         double whole = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows());
-        double wanted = range / LINES * Math.max(1 / MOST_CLOSER, Math.min(Math.pow(seen / whole, CLOSER_POWER), 1));
+        double wanted = range / LINES * Math.max(1 / MOST_CLOSER, Math.min(Math.pow(visible / whole, CLOSER_POWER), 1));
         if (!(wanted > 0)) {
             return 0;
         }

@@ -12,10 +12,9 @@ import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * Terrains in plans: contour lines and the border from above, the outline from the front and the side. The lines are kept
@@ -56,7 +55,7 @@ final class GroundLines {
         }
     }
 
-    private static void add(PlanSegments lines, LineColour colour, double width, LineCanvas canvas) {
+    private static void add(PlanSegments lines, DisplayColour colour, double width, LineCanvas canvas) {
         for (int i = 0; i < lines.count(); i++) {
             double[] from = {lines.end(i, 0), lines.end(i, 1)};
             double[] to = {lines.end(i, 2), lines.end(i, 3)};
@@ -135,8 +134,8 @@ final class GroundLines {
     /** Writes the labels, from the least height to the greatest. */
     static void add(
             List<Label> labels, PaneSize size, Background background, double pixelsPerPoint, OverlayCanvas texts) {
-        OverlayColour ink = MarkDrawing.overlay(background.shade(MarkColour.GROUND_MAJOR));
-        OverlayColour plate = background.plate();
+        DisplayColour ink = background.shade(MarkColour.GROUND_MAJOR);
+        DisplayColour plate = background.plate();
         for (Label label : apart(labels, size, ROOM_POINTS * pixelsPerPoint)) {
             String text = PlanGrid.text(label.metres);
             double width = texts.width(EM_POINTS, text);

@@ -13,9 +13,9 @@ import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
 import nephele.engine.render.line.WorldEdges;
@@ -30,7 +30,7 @@ final class LevelEdges implements AutoCloseable {
     /** Six numbers for each edge, by {@link Brush} or {@link PlacedModel}. */
     private Map<Object, float[]> known = new IdentityHashMap<>();
 
-    private StaticShapes shown;
+    private StaticShapes drawn;
     private Vec3 origin;
     private WorldEdges edges;
 
@@ -41,10 +41,10 @@ final class LevelEdges implements AutoCloseable {
 
     /** Follows an edit. */
     void show(StaticShapes shapes) {
-        if (shapes == shown) {
+        if (shapes == drawn) {
             return;
         }
-        shown = shapes;
+        drawn = shapes;
         if (origin == null) {
             origin = shapes.bounds().isEmpty() ? Vec3.ZERO : shapes.bounds().centre();
         }
@@ -82,8 +82,8 @@ final class LevelEdges implements AutoCloseable {
         for (Brush.BrushFace face : brush.faces()) {
             List<Vec3> polygon = face.polygon();
             for (int i = 0; i < polygon.size(); i++) {
-                int from = index(seen(polygon.get(i)), vertices, indices);
-                int to = index(seen(polygon.get((i + 1) % polygon.size())), vertices, indices);
+                int from = index(projected(polygon.get(i)), vertices, indices);
+                int to = index(projected(polygon.get((i + 1) % polygon.size())), vertices, indices);
                 if (from != to) {
                     pairs.add(pair(from, to));
                 }
@@ -99,7 +99,7 @@ final class LevelEdges implements AutoCloseable {
     }
 
     /** Returns the vertex without its distance in a plan. */
-    private Vec3 seen(Vec3 vertex) {
+    private Vec3 projected(Vec3 vertex) {
         return switch (kind) {
             case PERSPECTIVE -> vertex;
             case TOP -> new Vec3(vertex.x(), origin.y(), vertex.z());
@@ -148,7 +148,7 @@ final class LevelEdges implements AutoCloseable {
         return at + 3;
     }
 
-    void draw(LineProjection projection, LineColour colour, LineLayer layer, RenderTarget picture) {
+    void draw(LineProjection projection, DisplayColour colour, LineLayer layer, RenderTarget picture) {
         edges.draw(projection, colour, layer, picture);
     }
 

@@ -77,8 +77,8 @@ public final class LevelRepair {
                 .filter(cloud ->
                         cloud.density().assetId().filter(this::isUnusable).isEmpty())
                 .toList();
-        Environment seen = isSkyFine ? authored : authored.with(INSTEAD_OF_SKYBOX);
-        return clouds.size() == authored.clouds().size() ? seen : seen.withClouds(clouds);
+        Environment repaired = isSkyFine ? authored : authored.with(INSTEAD_OF_SKYBOX);
+        return clouds.size() == authored.clouds().size() ? repaired : repaired.withClouds(clouds);
     }
 
     private boolean isUnusable(String file) {

@@ -7,15 +7,14 @@ import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /** Fills the canvases of a pane with marks. Dark outlines keep them legible on surfaces of any brightness. */
 record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background, double pixelsPerPoint) {
-    private static final LineColour OUTLINE = LineColour.of(0x000000, 0.55);
+    private static final DisplayColour OUTLINE = DisplayColour.of(0x000000, 0.55);
     private static final double LINE_POINTS = 1.6;
     private static final double OUTLINE_POINTS = 3.4;
     private static final double HANDLE_POINTS = 8;
@@ -45,7 +44,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background,
         marks.forEach(mark -> line(mark, LINE_POINTS, null));
         for (Mark mark : marks) {
             if (mark instanceof Mark.Stroke stroke) {
-                LineColour colour = background.shade(stroke.colour());
+                DisplayColour colour = background.shade(stroke.colour());
                 lines.line(stroke.from(), stroke.to(), colour, pixelsPerPoint, LineLayer.BEHIND_SURFACES);
             }
         }
@@ -66,9 +65,9 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background,
     }
 
     /** @param colour {@code null} for the mark's own */
-    private void line(Mark mark, double widthPoints, LineColour colour) {
+    private void line(Mark mark, double widthPoints, DisplayColour colour) {
         if (mark instanceof Mark.Line line) {
-            LineColour own = background.shade(line.colour());
+            DisplayColour own = background.shade(line.colour());
             boolean isGrid = line.colour() == MarkColour.GRID || line.colour() == MarkColour.GRID_MAJOR;
             if (isGrid && colour != null) {
                 return;
@@ -84,7 +83,7 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background,
     }
 
     private void handle(Mark.Handle handle) {
-        lines.square(handle.at(), HANDLE_OUTLINE_POINTS * pixelsPerPoint, LineColour.of(0x000000, 0.85));
+        lines.square(handle.at(), HANDLE_OUTLINE_POINTS * pixelsPerPoint, DisplayColour.of(0x000000, 0.85));
         lines.square(handle.at(), HANDLE_POINTS * pixelsPerPoint, background.shade(handle.colour()));
     }
 
@@ -105,18 +104,14 @@ record MarkDrawing(LineCanvas lines, OverlayCanvas texts, Background background,
     }
 
     /** Adds a line of text on a dark plate; lengths in points. */
-    void plate(String text, double x, double baseline, LineColour colour) {
+    void plate(String text, double x, double baseline, DisplayColour colour) {
         double width = texts.width(EM_POINTS, text);
         texts.rectangle(
                 x - PLATE_MARGIN_POINTS,
                 baseline - EM_POINTS,
                 width + 2 * PLATE_MARGIN_POINTS,
                 EM_POINTS + 2 * PLATE_MARGIN_POINTS,
-                new OverlayColour(0.05f, 0.06f, 0.07f, 0.78f));
-        texts.text(x, baseline, EM_POINTS, overlay(colour), text);
-    }
-
-    static OverlayColour overlay(LineColour colour) {
-        return new OverlayColour(colour.red(), colour.green(), colour.blue(), colour.alpha());
+                new DisplayColour(0.05f, 0.06f, 0.07f, 0.78f));
+        texts.text(x, baseline, EM_POINTS, colour, text);
     }
 }

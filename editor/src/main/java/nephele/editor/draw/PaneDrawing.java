@@ -16,16 +16,15 @@ import nephele.editor.pane.ViewMode;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.line.LineDrawing;
 import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -34,7 +33,7 @@ import nephele.engine.scene.View;
 final class PaneDrawing implements AutoCloseable {
     private static final double NEAR_METRES = 0.05;
     private static final double CAPTION_BASELINE_POINTS = 34;
-    private static final LineColour CAPTION = LineColour.of(0xe6eaee, 1);
+    private static final DisplayColour CAPTION = DisplayColour.of(0xe6eaee, 1);
     private static final double AXES_CORNER_POINTS = 34;
     private static final double AXIS_POINTS = 22;
     private static final double AXIS_LETTER_POINTS = 11;
@@ -42,11 +41,11 @@ final class PaneDrawing implements AutoCloseable {
     private static final double LEAST_AXIS_ACROSS = 0.15;
 
     /** Between surfaces of few colours. */
-    private static final LineColour EDGES = LineColour.of(0x000000, 0.6);
+    private static final DisplayColour EDGES = DisplayColour.of(0x000000, 0.6);
     /** Fainter, since light and textures show most edges. */
-    private static final LineColour LIT_EDGES = LineColour.of(0x000000, 0.3);
+    private static final DisplayColour LIT_EDGES = DisplayColour.of(0x000000, 0.3);
 
-    private static final LineColour FLOOR = LineColour.of(0x8a949e, 1);
+    private static final DisplayColour FLOOR = DisplayColour.of(0x8a949e, 1);
     private static final double FLOOR_MINOR_ALPHA = 0.28;
     private static final double FLOOR_MAJOR_ALPHA = 0.5;
     private static final int FLOOR_CELLS = 24;
@@ -61,10 +60,10 @@ final class PaneDrawing implements AutoCloseable {
     private final OverlayCanvas texts;
 
     PaneDrawing(GlContext gl) {
-        Lettering lettering = new Lettering();
+        FontAtlas letters = new FontAtlas();
         drawing = new LineDrawing(gl);
-        overlay = new OverlayPass(gl, lettering);
-        texts = new OverlayCanvas(lettering);
+        overlay = new OverlayPass(gl, letters);
+        texts = new OverlayCanvas(letters);
     }
 
     /** Draws a pane over the whole picture. */
@@ -131,7 +130,7 @@ final class PaneDrawing implements AutoCloseable {
         return projection;
     }
 
-    private static Optional<LineColour> edgesBetweenSurfaces(ViewMode mode, boolean hasGuideLines) {
+    private static Optional<DisplayColour> edgesBetweenSurfaces(ViewMode mode, boolean hasGuideLines) {
         return switch (mode) {
             case LIT -> hasGuideLines ? Optional.of(LIT_EDGES) : Optional.empty();
             case UNLIT -> Optional.empty();
@@ -191,20 +190,20 @@ final class PaneDrawing implements AutoCloseable {
             return;
         }
         double scale = marks.pixelsPerPoint();
-        LineColour shade = marks.background().shade(colour);
+        DisplayColour shade = marks.background().shade(colour);
         double[] from = axisPoint(across, upwards, 0, size, scale);
         double[] to = axisPoint(across, upwards, AXIS_POINTS, size, scale);
         double[] end = axisPoint(across, upwards, AXIS_POINTS + 8, size, scale);
         boolean isDark = marks.background() == Background.DARK;
         if (isDark) {
-            lines.screenLine(from, to, LineColour.of(0, 0.5), 4 * scale);
+            lines.screenLine(from, to, DisplayColour.of(0, 0.5), 4 * scale);
         }
         lines.screenLine(from, to, shade, 2 * scale);
         if (isDark) {
-            OverlayColour shadow = new OverlayColour(0, 0, 0, 0.7f);
+            DisplayColour shadow = new DisplayColour(0, 0, 0, 0.7f);
             texts.text(end[0] / scale - 2, end[1] / scale + 5, AXIS_LETTER_POINTS, shadow, name);
         }
-        texts.text(end[0] / scale - 3, end[1] / scale + 4, AXIS_LETTER_POINTS, MarkDrawing.overlay(shade), name);
+        texts.text(end[0] / scale - 3, end[1] / scale + 4, AXIS_LETTER_POINTS, shade, name);
     }
 
     /** Returns a point of an axis that leads across and upwards in the picture, in pixels. */
@@ -223,21 +222,21 @@ final class PaneDrawing implements AutoCloseable {
         for (long i = -2 * FLOOR_CELLS; i <= 2 * FLOOR_CELLS; i++) {
             double x = (middleX + i) * cell;
             double z = (middleZ + i) * cell;
-            LineColour alongZ = floorColour(middleX + i, background.shade(MarkColour.AXIS_Z));
-            LineColour alongX = floorColour(middleZ + i, background.shade(MarkColour.AXIS_X));
+            DisplayColour alongZ = floorColour(middleX + i, background.shade(MarkColour.AXIS_Z));
+            DisplayColour alongX = floorColour(middleZ + i, background.shade(MarkColour.AXIS_X));
             addFloorLine(new Vec3(x, 0, middleZ * cell), new Vec3(0, 0, reach), alongZ);
             addFloorLine(new Vec3(middleX * cell, 0, z), new Vec3(reach, 0, 0), alongX);
         }
     }
 
-    private static LineColour floorColour(long line, LineColour axis) {
+    private static DisplayColour floorColour(long line, DisplayColour axis) {
         if (line == 0) {
             return axis;
         }
         return FLOOR.withAlpha(Math.floorMod(line, FLOOR_CELLS_PER_MAJOR) == 0 ? FLOOR_MAJOR_ALPHA : FLOOR_MINOR_ALPHA);
     }
 
-    private void addFloorLine(Vec3 middle, Vec3 half, LineColour colour) {
+    private void addFloorLine(Vec3 middle, Vec3 half, DisplayColour colour) {
         ground.line(middle.minus(half), middle.plus(half), colour, 1, LineLayer.BEHIND_SURFACES);
     }
 }

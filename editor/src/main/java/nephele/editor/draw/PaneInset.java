@@ -4,9 +4,8 @@ import java.util.List;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.asset.Picture;
-import nephele.engine.render.line.LineColour;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The lower right corner of a pane, above its picture: a legend of colours, and a small picture.
@@ -23,9 +22,9 @@ public record PaneInset(List<LegendLine> legend, Picture picture, String caption
     private static final double ROW_POINTS = 19;
     private static final double SWATCH_POINTS = 15;
     private static final double STRIPE_POINTS = 5;
-    private static final OverlayColour PLATE = new OverlayColour(0.05f, 0.06f, 0.07f, 0.82f);
-    private static final OverlayColour FRAME = new OverlayColour(0.6f, 0.64f, 0.68f, 1);
-    private static final LineColour STRIPE = LineColour.of(0x101214, 1);
+    private static final DisplayColour PLATE = new DisplayColour(0.05f, 0.06f, 0.07f, 0.82f);
+    private static final DisplayColour FRAME = new DisplayColour(0.6f, 0.64f, 0.68f, 1);
+    private static final DisplayColour STRIPE = DisplayColour.of(0x101214, 1);
 
     /** The pattern of lines on an area, as the marks of the map have it. */
     public enum Pattern {
@@ -61,9 +60,9 @@ public record PaneInset(List<LegendLine> legend, Picture picture, String caption
         double plate = ROW_POINTS;
         double top = bottom - height - plate;
         texts.rectangle(left - 1, top - 1, width + 2, height + plate + 2, FRAME);
-        texts.rectangle(left, top, width, plate, OverlayColour.opaque(0x14171a));
+        texts.rectangle(left, top, width, plate, DisplayColour.opaque(0x14171a));
         texts.picture(left, top + plate, width, height, picture);
-        texts.text(left + PAD_POINTS, top + 14, EM_POINTS, OverlayColour.opaque(0xdfe4e8), caption);
+        texts.text(left + PAD_POINTS, top + 14, EM_POINTS, DisplayColour.opaque(0xdfe4e8), caption);
         return top;
     }
 
@@ -90,16 +89,15 @@ public record PaneInset(List<LegendLine> legend, Picture picture, String caption
     }
 
     private static void drawRow(OverlayCanvas texts, LegendLine line, double x, double y) {
-        OverlayColour colour = MarkDrawing.overlay(Background.DARK.shade(line.colour()));
+        DisplayColour colour = Background.DARK.shade(line.colour());
         double top = y + (ROW_POINTS - SWATCH_POINTS) / 2;
         texts.rectangle(x, top, SWATCH_POINTS, SWATCH_POINTS, colour);
         drawStripes(texts, line.pattern(), x, top);
-        texts.text(x + SWATCH_POINTS + PAD_POINTS, y + 14, EM_POINTS, OverlayColour.opaque(0xdfe4e8), line.text());
+        texts.text(x + SWATCH_POINTS + PAD_POINTS, y + 14, EM_POINTS, DisplayColour.opaque(0xdfe4e8), line.text());
     }
 
     /** Small squares along the diagonals: the canvas of letters has no slanted lines, and covers those that have. */
     private static void drawStripes(OverlayCanvas texts, Pattern pattern, double x, double y) {
-        OverlayColour dark = MarkDrawing.overlay(STRIPE);
         double dot = 1.5;
         for (double at = 0; at <= SWATCH_POINTS - dot; at += 0.5) {
             for (double shift = -2 * STRIPE_POINTS;
@@ -107,9 +105,9 @@ public record PaneInset(List<LegendLine> legend, Picture picture, String caption
                     shift += STRIPE_POINTS + 2) {
                 double across = at + shift;
                 if (across >= 0 && across <= SWATCH_POINTS - dot) {
-                    texts.rectangle(x + at, y + SWATCH_POINTS - dot - across, dot, dot, dark);
+                    texts.rectangle(x + at, y + SWATCH_POINTS - dot - across, dot, dot, STRIPE);
                     if (pattern == Pattern.CROSSED) {
-                        texts.rectangle(x + at, y + across, dot, dot, dark);
+                        texts.rectangle(x + at, y + across, dot, dot, STRIPE);
                     }
                 }
             }

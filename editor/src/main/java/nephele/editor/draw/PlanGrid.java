@@ -6,10 +6,9 @@ import nephele.editor.pane.MarkColour;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PlanCamera;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.line.LineCanvas;
-import nephele.engine.render.line.LineColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The grid of a plan: lines, the two axes, and coordinates along the upper and the left border.
@@ -61,7 +60,7 @@ record PlanGrid(PlanCamera camera, PaneSize size, double gridMetres, Background 
         }
     }
 
-    private void addAll(LineCanvas lines, double metres, LineColour colour) {
+    private void addAll(LineCanvas lines, double metres, DisplayColour colour) {
         for (boolean isAcross : DIRECTIONS) {
             double[] range = range(isAcross);
             for (double at = Math.ceil(range[0] / metres); at * metres <= range[1]; at++) {
@@ -70,7 +69,8 @@ record PlanGrid(PlanCamera camera, PaneSize size, double gridMetres, Background 
         }
     }
 
-    private void addLine(LineCanvas lines, boolean isAcross, double coordinate, LineColour colour, double widthPixels) {
+    private void addLine(
+            LineCanvas lines, boolean isAcross, double coordinate, DisplayColour colour, double widthPixels) {
         // At half a pixel, a line of one pixel is as sharp as it can be.
         double at = Math.floor(pixel(isAcross, coordinate)) + 0.5;
         double[] from = isAcross ? new double[] {at, 0} : new double[] {0, at};
@@ -81,20 +81,20 @@ record PlanGrid(PlanCamera camera, PaneSize size, double gridMetres, Background 
     /** Adds coordinates in metres. */
     void addLabels(OverlayCanvas texts) {
         double width = size.width() / pixelsPerPoint;
-        OverlayColour ground = background.plate();
-        OverlayColour ink = OverlayColour.opaque(background == Background.DARK ? 0xb6bec7 : 0x4a525b);
+        DisplayColour ground = background.plate();
+        DisplayColour ink = DisplayColour.opaque(background == Background.DARK ? 0xb6bec7 : 0x4a525b);
         texts.rectangle(0, 0, width, STRIP_POINTS, ground);
         double metres = labelMetres();
         for (boolean isAcross : DIRECTIONS) {
             double[] range = range(isAcross);
             for (double at = Math.ceil(range[0] / metres); at * metres <= range[1]; at++) {
-                addLabel(texts, isAcross, at * metres, new OverlayColour[] {ink, ground});
+                addLabel(texts, isAcross, at * metres, new DisplayColour[] {ink, ground});
             }
         }
     }
 
     /** @param inkAndGround colours of letters and of the plate behind them */
-    private void addLabel(OverlayCanvas texts, boolean isAcross, double coordinate, OverlayColour[] inkAndGround) {
+    private void addLabel(OverlayCanvas texts, boolean isAcross, double coordinate, DisplayColour[] inkAndGround) {
         String text = text(coordinate);
         double at = pixel(isAcross, coordinate) / pixelsPerPoint;
         if (isAcross) {

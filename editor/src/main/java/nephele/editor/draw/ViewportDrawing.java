@@ -11,12 +11,12 @@ import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.level.Level;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.engine.render.pass.overlay.OverlayPass;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
@@ -25,7 +25,7 @@ import nephele.engine.scene.light.bake.SkyVisibility;
  * and a pane whose content has not changed keeps its picture. Everything runs on the context's thread.
  */
 public final class ViewportDrawing implements AutoCloseable {
-    private static final OverlayColour ACTIVE = OverlayColour.opaque(0x4d9de0);
+    private static final DisplayColour ACTIVE = DisplayColour.opaque(0x4d9de0);
     private static final double ACTIVE_POINTS = 2;
 
     private final GlContext gl;
@@ -34,16 +34,20 @@ public final class ViewportDrawing implements AutoCloseable {
     private final PaneDrawing panes;
     private final OverlayPass frameOverlay;
     private final OverlayCanvas frameCanvas;
-    private final Map<Integer, Held> held = new HashMap<>();
+    private final Map<Integer, DrawnPane> drawnPanes = new HashMap<>();
     private DrawnLevel drawn;
 
-    /** A pane's picture and what it shows. */
-    private record Held(RenderTarget picture, Content content) {}
-
-    /** The inputs of a pane's picture; equal inputs give the same picture. */
-    private record Content(Level level, Pane pane, List<Mark> marks, Look look, SkyVisibility light, double changed) {
+    /** A pane's picture with all that it was drawn from; the same of it give the same picture. */
+    private record DrawnPane(
+            RenderTarget picture,
+            Level level,
+            Pane pane,
+            List<Mark> marks,
+            Look look,
+            SkyVisibility light,
+            double changed) {
         /** Levels are compared by identity: an edit makes a new one. */
-        boolean isSame(Content other) {
+        boolean isSame(DrawnPane other) {
             return level == other.level
                     && light == other.light
                     && changed == other.changed
@@ -64,9 +68,9 @@ public final class ViewportDrawing implements AutoCloseable {
         this.background = background;
         this.repaintSoon = repaintSoon;
         panes = new PaneDrawing(gl);
-        Lettering lettering = new Lettering();
-        frameOverlay = new OverlayPass(gl, lettering);
-        frameCanvas = new OverlayCanvas(lettering);
+        FontAtlas letters = new FontAtlas();
+        frameOverlay = new OverlayPass(gl, letters);
+        frameCanvas = new OverlayCanvas(letters);
     }
 
     /** Draws a frame over the whole target, with all edits taken over. */
@@ -84,7 +88,7 @@ public final class ViewportDrawing implements AutoCloseable {
             return;
         }
         follow(frame, seconds);
-        held.entrySet().removeIf(entry -> isStale(entry.getKey(), entry.getValue(), frame));
+        drawnPanes.entrySet().removeIf(entry -> isStale(entry.getKey(), entry.getValue(), frame));
         for (Pane pane : frame.panes()) {
             draw(pane, frame);
         }
@@ -95,14 +99,14 @@ public final class ViewportDrawing implements AutoCloseable {
         for (Pane pane : frame.panes()) {
             PaneRectangle place = pane.place();
             int bottom = target.height() - place.y() - place.height();
-            held.get(place.index()).picture.copyInto(target, place.x(), bottom);
+            drawnPanes.get(place.index()).picture.copyInto(target, place.x(), bottom);
         }
         drawActive(frame, target);
     }
 
     /** Returns true while an edit is taken over gradually: the next frame differs from the last one. */
     public boolean isChanging() {
-        return drawn != null && held.values().stream().anyMatch(pane -> changed(pane.content.pane()) < 1);
+        return drawn != null && drawnPanes.values().stream().anyMatch(pane -> changed(pane.pane) < 1);
     }
 
     private double changed(Pane pane) {
@@ -124,12 +128,12 @@ public final class ViewportDrawing implements AutoCloseable {
             drawn.close();
             drawn = null;
         }
-        held.values().forEach(pane -> pane.picture.close());
-        held.clear();
+        drawnPanes.values().forEach(pane -> pane.picture.close());
+        drawnPanes.clear();
     }
 
     /** Closes the picture of a pane that is gone or has another size. */
-    private static boolean isStale(int index, Held pane, ViewportFrame frame) {
+    private static boolean isStale(int index, DrawnPane pane, ViewportFrame frame) {
         boolean isNeeded = frame.panes().stream()
                 .anyMatch(wanted -> wanted.place().index() == index
                         && wanted.place().width() == pane.picture.width()
@@ -147,21 +151,20 @@ public final class ViewportDrawing implements AutoCloseable {
     private void draw(Pane pane, ViewportFrame frame) {
         int index = pane.place().index();
         SkyVisibility light = isLit(pane) ? drawn.light() : null;
-        Content content = new Content(drawn.wanted(), pane, frame.marks(), frame.look(), light, changed(pane));
-        Held known = held.get(index);
-        if (known != null && known.content.isSame(content)) {
-            return;
-        }
-        RenderTarget picture = known != null
-                ? known.picture
+        DrawnPane before = drawnPanes.get(index);
+        RenderTarget picture = before != null
+                ? before.picture
                 : RenderTarget.picture(
                         gl,
                         "pane " + index,
                         PixelFormat.RGBA8,
                         pane.place().width(),
                         pane.place().height());
-        held.put(index, new Held(picture, content));
-        panes.draw(drawn, pane, frame, picture);
+        DrawnPane now = new DrawnPane(picture, drawn.wanted(), pane, frame.marks(), frame.look(), light, changed(pane));
+        drawnPanes.put(index, now);
+        if (before == null || !before.isSame(now)) {
+            panes.draw(drawn, pane, frame, picture);
+        }
     }
 
     private void drawActive(ViewportFrame frame, RenderTarget target) {

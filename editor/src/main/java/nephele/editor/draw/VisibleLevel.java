@@ -23,41 +23,41 @@ import nephele.engine.math.IdentityDiff;
  */
 public final class VisibleLevel {
     private Level before;
-    private Level visible;
+    private Level last;
 
     public Level of(Level level) {
         if (level != before) {
-            visible = level.editor().hidden().isEmpty() ? level : without(level);
+            last = level.editor().hidden().isEmpty() ? level : without(level);
             before = level;
         }
-        return visible;
+        return last;
     }
 
     private Level without(Level level) {
         Set<String> hidden = new HashSet<>(level.editor().hidden());
-        Level shown = level.with(
+        Level rest = level.with(
                 level.materials(),
-                shown(level.solids(), "solids/", Solid::id, hidden),
-                shown(level.bodies(), "bodies/", Body::id, hidden),
+                visible(level.solids(), "solids/", Solid::id, hidden),
+                visible(level.bodies(), "bodies/", Body::id, hidden),
                 models(level.models(), hidden));
-        shown = shown.withPortals(shown(level.portals(), "portals/", PortalSpec::id, hidden));
-        shown = shown.withExits(shown(level.exits(), "exits/", Exit::id, hidden));
-        shown = shown.withEmitters(shown(level.emitters(), "emitters/", Emitter::id, hidden));
-        shown = shown.withTerrains(shown(level.terrains(), "terrains/", Terrain::id, hidden));
-        shown = shown.withBillboards(shown(level.billboards(), "billboards/", Billboards::id, hidden));
+        rest = rest.withPortals(visible(level.portals(), "portals/", PortalSpec::id, hidden));
+        rest = rest.withExits(visible(level.exits(), "exits/", Exit::id, hidden));
+        rest = rest.withEmitters(visible(level.emitters(), "emitters/", Emitter::id, hidden));
+        rest = rest.withTerrains(visible(level.terrains(), "terrains/", Terrain::id, hidden));
+        rest = rest.withBillboards(visible(level.billboards(), "billboards/", Billboards::id, hidden));
         Environment environment = level.environment();
-        List<Cloud> clouds = shown(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
+        List<Cloud> clouds = visible(environment.clouds(), "environment.clouds/", Cloud::id, hidden);
         if (clouds.size() < environment.clouds().size()) {
-            shown = shown.with(environment.withClouds(clouds), shown.lights());
+            rest = rest.with(environment.withClouds(clouds), rest.lights());
         }
-        return reused(shown);
+        return reused(rest);
     }
 
-    private static <T> List<T> shown(List<T> all, String section, Function<T, String> id, Set<String> hidden) {
-        List<T> shown = all.stream()
+    private static <T> List<T> visible(List<T> all, String section, Function<T, String> id, Set<String> hidden) {
+        List<T> rest = all.stream()
                 .filter(record -> !hidden.contains(section + id.apply(record)))
                 .toList();
-        return IdentityDiff.list(all, shown);
+        return IdentityDiff.list(all, rest);
     }
 
     private static List<ModelPlacement> models(List<ModelPlacement> all, Set<String> hidden) {
@@ -66,27 +66,27 @@ public final class VisibleLevel {
         while (needed.size() > known) {
             known = needed.size();
             for (ModelPlacement model : all) {
-                boolean isShown = !hidden.contains("models/" + model.id()) || needed.contains(model.id());
-                if (isShown && model.parent() != null) {
+                boolean isVisible = !hidden.contains("models/" + model.id()) || needed.contains(model.id());
+                if (isVisible && model.parent() != null) {
                     needed.add(model.parent());
                 }
             }
         }
-        List<ModelPlacement> shown = all.stream()
+        List<ModelPlacement> rest = all.stream()
                 .filter(model -> !hidden.contains("models/" + model.id()) || needed.contains(model.id()))
                 .toList();
-        return IdentityDiff.list(all, shown);
+        return IdentityDiff.list(all, rest);
     }
 
     /** Keeps the lists of the last visible level, so that what follows from them is kept, too. */
-    private Level reused(Level shown) {
-        if (visible == null) {
-            return shown;
+    private Level reused(Level rest) {
+        if (last == null) {
+            return rest;
         }
-        return shown.with(
-                shown.materials(),
-                IdentityDiff.list(visible.solids(), shown.solids()),
-                IdentityDiff.list(visible.bodies(), shown.bodies()),
-                IdentityDiff.list(visible.models(), shown.models()));
+        return rest.with(
+                rest.materials(),
+                IdentityDiff.list(last.solids(), rest.solids()),
+                IdentityDiff.list(last.bodies(), rest.bodies()),
+                IdentityDiff.list(last.models(), rest.models()));
     }
 }

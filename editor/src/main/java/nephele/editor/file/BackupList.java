@@ -14,7 +14,6 @@ import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
@@ -79,20 +78,13 @@ public final class BackupList {
     public void restore(int index) throws EditorRefusal {
         Level level = level(index);
         session.document().edit(FileText.RESTORED.words(), now -> level);
-        session.status(told(FileText.RESTORED_STATUS, time(backups.get(index))));
+        session.status(FileText.RESTORED_STATUS.with(time(backups.get(index))));
     }
 
     /** Opens a version as an untitled level with the same assets; what was open before is left. */
     public void openCopy(int index) throws EditorRefusal {
         Level level = level(index);
         session.open(DocumentFile.UNTITLED, level, session.assets());
-        session.status(told(FileText.COPY_STATUS, time(backups.get(index))));
-    }
-
-    private static Words told(FileText text, Words time) {
-        return Words.of(
-                text.in(Language.EN, time.english()),
-                text.in(Language.PT_BR, time.brazilian()),
-                text.in(Language.PT_PT, time.european()));
+        session.status(FileText.COPY_STATUS.with(time(backups.get(index))));
     }
 }

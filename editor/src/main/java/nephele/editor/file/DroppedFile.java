@@ -12,25 +12,33 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.document.Clip;
 import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
+import nephele.editor.document.Selection;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.document.Snapshot;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
+import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
+import nephele.editor.tool.paint.PaintTool;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AtomicFile;
-import nephele.engine.asset.HeightMapFile;
+import nephele.engine.asset.HeightMap;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Terrain;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
@@ -41,6 +49,7 @@ import nephele.engine.model.file.ModelFiles;
 
 /** A file that a user drops on the editor: it is opened, or becomes an asset of the level with what uses it. */
 public final class DroppedFile {
+    private static final String MATERIALS = "materials";
     private static final double LEAST_CLOUD_METRES = 0.1;
     private static final double LARGEST_CLOUD_METRES = 1e5;
 
@@ -90,14 +99,6 @@ public final class DroppedFile {
         REPLACE
     }
 
-    /**
-     * The place at which a file is dropped.
-     *
-     * @param at metres; where models and clouds appear
-     * @param face what a picture is painted on; empty for nothing
-     */
-    public record Target(Vec3 at, Optional<FaceRef> face) {}
-
     private final EditorSession session;
     private final Path file;
 
@@ -106,30 +107,28 @@ public final class DroppedFile {
         this.file = file;
     }
 
-    /**
-     * Uses the file.
-     *
-     * @throws EditorRefusal if it can't be used; level and folder are then as before
-     */
-    public void dropOn(Target target) throws EditorRefusal {
-        dropOn(target, isUntouched(session) ? SceneUse.REPLACE : SceneUse.INSERT);
-    }
-
     /** Returns true if the open level is a new one without changes, in place of which a scene can be opened unasked. */
     public static boolean isUntouched(EditorSession session) {
         return session.file().path().isEmpty() && !session.document().isModified();
     }
 
-    /** Uses the file as {@link #dropOn(Target)}, a scene as it is said. */
-    public void dropOn(Target target, SceneUse use) throws EditorRefusal {
+    /**
+     * Uses the file.
+     *
+     * @param at metres; where models and clouds appear
+     * @param face what a picture is painted on; empty for nothing
+     * @param use what becomes of a scene
+     * @throws EditorRefusal if it can't be used; level and folder are then as before
+     */
+    public void dropOn(Vec3 at, Optional<FaceRef> face, SceneUse use) throws EditorRefusal {
         switch (Kind.of(file)) {
-            case PICTURE -> picture(target);
-            case MODEL -> model(target);
-            case CLOUD -> cloud(target);
-            case HEIGHTS -> heights(target);
+            case PICTURE -> picture(face);
+            case MODEL -> model(at);
+            case CLOUD -> cloud(at);
+            case HEIGHTS -> heights(at);
             case SCENE -> {
                 if (use == SceneUse.INSERT) {
-                    insertScene(target.at());
+                    insertScene(at);
                 } else {
                     openScene();
                 }
@@ -142,7 +141,7 @@ public final class DroppedFile {
         return session.background().get(() -> AssetFolder.read(file));
     }
 
-    private void picture(Target target) throws EditorRefusal {
+    private void picture(Optional<FaceRef> face) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
@@ -151,23 +150,23 @@ public final class DroppedFile {
         } catch (AssetException noPicture) {
             throw refused(noPicture);
         }
-        if (target.face().isPresent()) {
-            EntityRef solid = target.face().get().solid();
+        if (face.isPresent()) {
+            EntityRef solid = face.get().solid();
             if (NoteEdits.unlocked(session.document().level(), List.of(solid)).isEmpty()) {
                 throw new EditorRefusal(NoteEdits.LOCKED.with(solid.text()));
             }
         }
         String id = folder.idOf(file, content, "textures");
-        new AssetUse(session, id).picture(target.face());
-        told(id);
+        addPicture(id, face);
+        session.status(FileText.ADDED.with(file.getFileName(), id));
     }
 
-    private void model(Target target) throws EditorRefusal {
+    private void model(Vec3 at) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         String id = folder.idOf(file, content, "models", session.background().get(() -> neighbours(content)));
-        new AssetUse(session, id).model(target.at());
-        told(id);
+        addModel(id, at);
+        session.status(FileText.ADDED.with(file.getFileName(), id));
     }
 
     /** Reads the model as the engine will, and returns the files that it names beside itself. */
@@ -196,31 +195,31 @@ public final class DroppedFile {
         return new EditorRefusal(FileText.UNUSABLE.with(file, reason.getMessage()));
     }
 
-    private void cloud(Target target) throws EditorRefusal {
+    private void cloud(Vec3 at) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         Vec3 size = sizeMetres(grid(content));
         String id = folder.idOf(file, content, "clouds");
-        new AssetUse(session, id).cloud(target.at(), size);
-        told(id);
+        addCloud(id, at, size);
+        session.status(FileText.ADDED.with(file.getFileName(), id));
     }
 
-    private void heights(Target target) throws EditorRefusal {
+    private void heights(Vec3 at) throws EditorRefusal {
         AssetFolder folder = AssetFolder.of(session, file);
         byte[] content = content();
         try {
-            session.background().get(() -> HeightMapFile.read(file.getFileName().toString(), content));
+            session.background().get(() -> HeightMap.read(file.getFileName().toString(), content));
         } catch (AssetException noHeights) {
             throw refused(noHeights);
         }
         String id = folder.idOf(file, content, "terrain");
-        new AssetUse(session, id).terrain(target.at());
-        told(id);
+        addTerrain(id, at);
+        session.status(FileText.ADDED.with(file.getFileName(), id));
     }
 
     private VoxelGrid grid(byte[] content) throws EditorRefusal {
         try {
-            return session.background().get(() -> VolFile.parse(String.valueOf(file.getFileName()), content));
+            return session.background().get(() -> VoxelGrid.read(String.valueOf(file.getFileName()), content));
         } catch (AssetException noGrid) {
             throw refused(noGrid);
         }
@@ -249,7 +248,7 @@ public final class DroppedFile {
         Document document = session.document();
         try {
             Level scene = withOwnMaterials(session.background().get(() -> LevelFile.read(imported)), document.level());
-            Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at, document.entities());
+            Snapshot after = Clip.pasted(document.now(), LevelJson.write(scene), at);
             document.edit(FileText.ADD_SCENE.words(), null, before -> after);
             Files.deleteIfExists(imported);
         } catch (LevelFormatException noLevel) {
@@ -270,8 +269,8 @@ public final class DroppedFile {
             if (isOther) {
                 Set<String> taken = new HashSet<>();
                 result.materials().forEach(each -> taken.add(each.id()));
-                String id = Entities.LEVEL.freshId(level, "materials", material.id(), taken);
-                result = (Level) Entities.LEVEL.renamed(result, new EntityRef("materials", material.id()), id);
+                String id = Entities.LEVEL.freshId(level, MATERIALS, material.id(), taken);
+                result = Entities.LEVEL.renamed(result, new EntityRef(MATERIALS, material.id()), id);
             }
         }
         return result;
@@ -294,7 +293,75 @@ public final class DroppedFile {
         session.status(complaints.isEmpty() ? FileText.IMPORTED.with(level) : Words.same(complaints.get(0)));
     }
 
-    private void told(String id) {
-        session.status(FileText.ADDED.with(file.getFileName(), id));
+    /** Makes a material of a picture, unless there is one, and paints a face with it; new brushes get it, too. */
+    private void addPicture(String asset, Optional<FaceRef> face) {
+        Document document = session.document();
+        Optional<String> known = document.level().materials().stream()
+                .filter(material -> asset.equals(material.texture()))
+                .map(Material::id)
+                .findFirst();
+        String id = known.orElseGet(() -> freshId(MATERIALS, asset));
+        session.options().material(id);
+        document.edit(FileText.ADD_PICTURE.words(), null, before -> {
+            Level level = known.isPresent() ? before.level() : added(before.level(), MATERIALS, material(id, asset));
+            return face.isPresent() ? before.with(painted(level, face.get(), id)) : selected(level, MATERIALS, id);
+        });
+    }
+
+    private static Material material(String id, String asset) {
+        return new Material(id, new Vec3(1, 1, 1), asset, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Level painted(Level level, FaceRef face, String material) {
+        return Entities.LEVEL.changed(level, List.of(face.solid()), solid ->
+                (Record) PaintTool.withFace((Solid) solid, face.face(), material));
+    }
+
+    private void addModel(String asset, Vec3 at) {
+        String id = freshId("models", asset);
+        List<ModelPlacement.TransformStep> steps =
+                at.equals(Vec3.ZERO) ? List.of() : List.of(new ModelPlacement.TransformStep.Translate(at));
+        add(FileText.ADD_MODEL.words(), "models", id, new ModelPlacement(id, asset, null, steps, null, false));
+    }
+
+    private void addTerrain(String asset, Vec3 at) {
+        String id = freshId("terrains", asset);
+        Terrain made = (Terrain) AddedRecord.at(RecordKind.of(Terrain.class), id, at);
+        add(FileText.ADD_TERRAIN.words(), "terrains", id, made.withHeightMap(asset));
+    }
+
+    /** @param base the middle of the lower side */
+    private void addCloud(String asset, Vec3 base, Vec3 size) {
+        String section = "environment.clouds";
+        String id = freshId(section, asset);
+        Vec3 centre = base.plus(new Vec3(0, size.y() / 2, 0));
+        Cloud cloud = new Cloud(
+                id,
+                new Cloud.Extent.Volume(centre, size),
+                CloudTechnique.AUTO,
+                new Cloud.Density.Grid(asset),
+                0.05,
+                1,
+                0);
+        add(FileText.ADD_CLOUD.words(), section, id, cloud);
+    }
+
+    private void add(Words label, String section, String id, Record entity) {
+        session.document().edit(label, null, before -> selected(added(before.level(), section, entity), section, id));
+    }
+
+    private static Level added(Level level, String section, Record entity) {
+        return Entities.LEVEL.added(level, section, entity);
+    }
+
+    private static Snapshot selected(Level level, String section, String id) {
+        return new Snapshot(level, Selection.of(new EntityRef(section, id)));
+    }
+
+    /** Returns an id after the file's name that the section does not have. */
+    private String freshId(String section, String asset) {
+        String name = asset.substring(asset.lastIndexOf('/') + 1);
+        int dot = name.lastIndexOf('.');
+        return Entities.LEVEL.freshId(session.document().level(), section, dot < 0 ? name : name.substring(0, dot));
     }
 }

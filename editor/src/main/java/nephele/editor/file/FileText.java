@@ -6,11 +6,11 @@ import java.time.ZoneId;
 import java.time.ZonedDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text about files in English, Brazilian and European Portuguese. */
-public enum FileText {
+public enum FileText implements Text {
     TODAY("today %s", "hoje, %s", "hoje, %s"),
     YESTERDAY("yesterday %s", "ontem, %s", "ontem, %s"),
     UNTITLED("Untitled, never saved", "Sem título, nunca salva", "Sem título, nunca guardado"),
@@ -111,19 +111,9 @@ public enum FileText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text. */
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text with its values filled in. */
-    public Words with(Object... values) {
-        return words.with(values);
-    }
-
-    /** Returns the text in a language, with its values filled in. */
-    public String in(Language language, Object... values) {
-        return (values.length == 0 ? words : words.with(values)).in(language);
     }
 
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm", Locale.ROOT);
@@ -139,7 +129,7 @@ public enum FileText {
             return TODAY.with(CLOCK.format(local));
         }
         if (local.toLocalDate().equals(today.minusDays(1))) {
-            return FileText.YESTERDAY.with(CLOCK.format(local));
+            return YESTERDAY.with(CLOCK.format(local));
         }
         String portuguese = PORTUGUESE.format(local);
         return Words.of(ENGLISH.format(local), portuguese, portuguese);

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import nephele.editor.pane.OpeningViews;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.save.LevelPackage;
 import nephele.editor.session.EditorSession;
@@ -26,7 +25,7 @@ public final class LevelOpening {
             DocumentFile.Opened opened =
                     session.background().get(() -> DocumentFile.open(isPackage ? unpacked.toString() : typed));
             session.open(opened.file(), opened.level(), opened.assets());
-            session.panes(panes -> OpeningViews.of(opened.level(), panes));
+            session.panes(panes -> panes.opened(opened.level()));
             Optional<Words> reported = isPackage
                     ? Optional.of(FileText.UNPACKED.with(unpacked.getParent()))
                     : opened.notice().map(Words::same);

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import nephele.editor.document.Document;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -21,25 +23,24 @@ import nephele.engine.level.json.LevelJson;
  */
 public final class OutsideChanges {
     private final EditorSession session;
-    private final Voice voice;
+    private final Predicate<Words> isMineKept;
+    private final Consumer<Words> tell;
     private final Set<Path> pending = new TreeSet<>();
     private boolean isAsking;
     private boolean isGone;
     /** The level whose file was deleted while it had no changes; {@code null} for none. */
     private Level deleted;
 
-    /** The news and questions for the user. */
-    public interface Voice {
-        /** Asks whether the user's version stays; false to load the other one. */
-        boolean isMineKept(Words question);
-
-        /** Tells of something that the user must know before going on. */
-        void tell(Words message);
-    }
-
-    public OutsideChanges(EditorSession session, Voice voice) {
+    /**
+     * Creates the changes of a session's files, none yet.
+     *
+     * @param isMineKept asks whether the user's version stays; false to load the other one
+     * @param tell tells of something that the user must know before going on
+     */
+    public OutsideChanges(EditorSession session, Predicate<Words> isMineKept, Consumer<Words> tell) {
         this.session = session;
-        this.voice = voice;
+        this.isMineKept = isMineKept;
+        this.tell = tell;
     }
 
     /** Takes changes of files in; they wait while something is dragged or asked. */
@@ -103,7 +104,7 @@ public final class OutsideChanges {
         keepMine(path);
         document.markUnsaved();
         session.status(FileText.DELETED.with(path.getFileName()));
-        voice.tell(FileText.DELETED.with(path));
+        tell.accept(FileText.DELETED.with(path));
     }
 
     private void isOther(Path path) {
@@ -124,7 +125,7 @@ public final class OutsideChanges {
             session.saved(file);
         } else if (!isModified) {
             load(theirs, file);
-        } else if (voice.isMineKept(FileText.CHANGED_QUESTION.with(path))) {
+        } else if (isMineKept.test(FileText.CHANGED_QUESTION.with(path))) {
             // Saving makes theirs a backup; the user has seen that there is another version and is not asked again.
             session.known(file);
         } else {

@@ -17,31 +17,30 @@ import nephele.engine.level.Level;
 public final class SessionWatch implements AutoCloseable {
     private final EditorSession session;
     private final OutsideChanges changes;
-    private final Threads threads;
+    private final Executor onSession;
+    private final Executor background;
     private final FileWatch watch;
     private final Registration registration;
-    private volatile Of current = new Of(null, null);
+    private volatile Watched current = new Watched(null, null);
     /** Owned by the background thread, as the next one is. */
     private Path watchedFile;
 
     private Set<String> watchedAssets = Set.of();
 
-    private record Of(Path file, Level level) {}
+    private record Watched(Path file, Level level) {}
 
     /**
-     * The threads of a watch.
+     * Begins to watch.
      *
-     * @param session runs what touches the session
+     * @param onSession runs what touches the session
      * @param background runs what reads files, in order
      */
-    public record Threads(Executor session, Executor background) {}
-
-    /** Begins to watch. */
-    public SessionWatch(EditorSession session, OutsideChanges changes, Threads threads) {
+    public SessionWatch(EditorSession session, OutsideChanges changes, Executor onSession, Executor background) {
         this.session = session;
         this.changes = changes;
-        this.threads = threads;
-        watch = FileWatch.start(paths -> threads.session().execute(() -> changes.changed(paths)));
+        this.onSession = onSession;
+        this.background = background;
+        watch = FileWatch.start(paths -> onSession.execute(() -> changes.changed(paths)));
         registration = session.listen(this::follow);
         watchFiles();
     }
@@ -50,7 +49,7 @@ public final class SessionWatch implements AutoCloseable {
         boolean isOther = change == SessionChange.DOCUMENT || change == SessionChange.FILE;
         if (isOther && !session.document().isDragging()) {
             watchFiles();
-            threads.session().execute(changes::settle);
+            onSession.execute(changes::settle);
         }
     }
 
@@ -61,25 +60,25 @@ public final class SessionWatch implements AutoCloseable {
         if (level == current.level() && !isOtherFile) {
             return;
         }
-        Of now = new Of(file, level);
+        Watched now = new Watched(file, level);
         current = now;
-        threads.background().execute(() -> {
+        background.execute(() -> {
             if (isOtherFile || now == current) {
                 watch(now);
             }
             if (isOtherFile && file != null) {
-                threads.session().execute(() -> lookAgain(file));
+                onSession.execute(() -> lookAgain(file));
             }
         });
     }
 
     /** Only what names assets is compared: most edits change none. */
-    private void watch(Of of) {
-        Set<String> assets = NamedAssets.of(of.level());
-        if (!Objects.equals(of.file(), watchedFile) || !assets.equals(watchedAssets)) {
-            watchedFile = of.file();
+    private void watch(Watched now) {
+        Set<String> assets = NamedAssets.of(now.level());
+        if (!Objects.equals(now.file(), watchedFile) || !assets.equals(watchedAssets)) {
+            watchedFile = now.file();
             watchedAssets = assets;
-            watch.watch(of.file() == null ? List.of() : FileWatch.filesOf(of.file(), of.level()));
+            watch.watch(now.file() == null ? List.of() : FileWatch.filesOf(now.file(), now.level()));
         }
     }
 

@@ -16,7 +16,7 @@ public enum TextureAlignment {
     }
 
     /** Returns the place on the face and on the picture: 0 at the left or top, 1 at the right or bottom. */
-    double share() {
+    double fraction() {
         return fraction;
     }
 

@@ -51,7 +51,7 @@ public final class TextureFit {
         PictureMapping now = PictureMapping.of(face);
         Extent u = Extent.of(face.face(), now.across());
         Extent v = Extent.of(face.face(), now.up());
-        double fraction = alignment.share();
+        double fraction = alignment.fraction();
         double right = alignment.isHorizontal() ? u.least() + fraction * u.metres() : 0;
         double top = alignment.isHorizontal() ? 0 : v.most() - fraction * v.metres();
         Vec3 place = now.across().scaled(right).addScaled(top, now.up());

@@ -180,8 +180,8 @@ public final class EntityMarks {
                 .filter(other -> other.id().equals(spec.linkedTo()) && isFirst(spec, other))
                 .forEach(other -> {
                     boolean isSelected = selected.contains(name) || selected.contains("portals/" + other.id());
-                    Visibility seen = isSelected ? Visibility.ALWAYS : Visibility.HIDDEN_BY_SURFACES;
-                    marks.add(new Mark.Line(spec.centre(), other.centre(), MarkColour.GUIDE, seen));
+                    Visibility visibility = isSelected ? Visibility.ALWAYS : Visibility.HIDDEN_BY_SURFACES;
+                    marks.add(new Mark.Line(spec.centre(), other.centre(), MarkColour.GUIDE, visibility));
                 });
     }
 
@@ -208,14 +208,14 @@ public final class EntityMarks {
     }
 
     private void model(PlacedModel model) {
-        String name = "models/" + model.said().id();
+        String name = "models/" + model.authored().id();
         if (selected.contains(name) && !isHidden(name) && !model.bounds().isEmpty()) {
             wires(name).box(model.bounds());
         }
     }
 
     private void terrain(StaticShape.HeightGrid ground) {
-        String name = "terrains/" + ground.said().id();
+        String name = "terrains/" + ground.authored().id();
         if (selected.contains(name) && !isHidden(name)) {
             wires(name).box(ground.bounds());
         }

@@ -6,27 +6,32 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.engine.level.Camera;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
 
 /**
  * The arrangement of the panes in the viewport: an immutable value. There are always four views, of which the
  * arrangement shows the first ones, or only the active one if it is maximised.
  *
  * @param active index of the pane that receives keys
- * @param columnShare the left column's share of the width
- * @param rowShare the upper row's share of the height
+ * @param columnFraction fraction of the width that the left column has
+ * @param rowFraction fraction of the height that the upper row has
  */
 public record PaneLayout(
         Arrangement arrangement,
         int active,
         boolean isMaximised,
-        double columnShare,
-        double rowShare,
+        double columnFraction,
+        double rowFraction,
         List<PaneView> views) {
     /** Pixels between two panes at scale 1. */
     public static final int GAP_PIXELS = 4;
 
     private static final int PANES = 4;
-    private static final double LEAST_SHARE = 0.1;
+    private static final double OPENING_EYE_METRES = 1.65;
+    private static final double LEAST_FRACTION = 0.1;
 
     /** The number and order of panes. */
     public enum Arrangement {
@@ -72,12 +77,12 @@ public record PaneLayout(
             throw new IllegalArgumentException("a layout has four views");
         }
         active = Math.max(0, Math.min(arrangement.panes - 1, active));
-        columnShare = limited(columnShare);
-        rowShare = limited(rowShare);
+        columnFraction = limited(columnFraction);
+        rowFraction = limited(rowFraction);
     }
 
     private static double limited(double fraction) {
-        return Double.isNaN(fraction) ? 0.5 : Math.max(LEAST_SHARE, Math.min(1 - LEAST_SHARE, fraction));
+        return Double.isNaN(fraction) ? 0.5 : Math.max(LEAST_FRACTION, Math.min(1 - LEAST_FRACTION, fraction));
     }
 
     /** Returns the layout of a first start: a perspective beside the plans. */
@@ -90,7 +95,33 @@ public record PaneLayout(
         return new PaneLayout(Arrangement.FOUR, 0, false, 0.5, 0.5, views);
     }
 
-    /** Returns panes with each view changed, shown or not. */
+    /** Returns the panes of a level that has just been opened, seen from its first camera, else from where its player starts. */
+    public PaneLayout opened(Level level) {
+        if (!level.cameras().isEmpty()) {
+            Camera camera = level.cameras().get(0);
+            Vec3 along = camera.target().minus(camera.position());
+            double yaw = Math.toDegrees(Math.atan2(-along.x(), -along.z()));
+            double pitch = Math.toDegrees(Math.atan2(along.y(), Math.hypot(along.x(), along.z())));
+            return from(camera.position(), yaw, pitch, camera.target());
+        } else if (level.player() != null) {
+            PlayerStart start = level.player();
+            Vec3 eye = start.feet().plus(new Vec3(0, OPENING_EYE_METRES, 0));
+            return from(eye, start.yawDegrees(), start.pitchDegrees(), start.feet());
+        }
+        return this;
+    }
+
+    /** @param middle the centre of plans */
+    private PaneLayout from(Vec3 eye, double yawDegrees, double pitchDegrees, Vec3 middle) {
+        return each(view -> new PaneView(
+                view.kind(),
+                new PerspectiveCamera(
+                        eye, yawDegrees, pitchDegrees, view.perspective().verticalFovDegrees()),
+                PlanCamera.at(view.plan(), middle),
+                view.mode()));
+    }
+
+    /** Returns panes with each view changed, drawn or not. */
     public PaneLayout each(UnaryOperator<PaneView> change) {
         PaneLayout result = this;
         for (int i = 0; i < views.size(); i++) {
@@ -105,7 +136,7 @@ public record PaneLayout(
     }
 
     /**
-     * Returns the camera of the perspective pane: the active one, else the first, shown or not; the camera that the
+     * Returns the camera of the perspective pane: the active one, else the first, drawn or not; the camera that the
      * active plan would have if all are plans.
      */
     public PerspectiveCamera eye() {
@@ -127,13 +158,13 @@ public record PaneLayout(
         if (isMaximised || arrangement == Arrangement.ONE) {
             return List.of(new PaneRectangle(isMaximised ? active : 0, 0, 0, width, height));
         }
-        int left = firstOf(width, columnShare, gap);
+        int left = firstOf(width, columnFraction, gap);
         int right = Math.max(1, width - left - gap);
         if (arrangement == Arrangement.TWO) {
             return List.of(
                     new PaneRectangle(0, 0, 0, left, height), new PaneRectangle(1, left + gap, 0, right, height));
         }
-        int upper = firstOf(height, rowShare, gap);
+        int upper = firstOf(height, rowFraction, gap);
         int lower = Math.max(1, height - upper - gap);
         return List.of(
                 new PaneRectangle(0, 0, 0, left, upper),
@@ -171,31 +202,31 @@ public record PaneLayout(
 
     /** Returns this layout with a splitter's middle moved to a pixel. */
     public PaneLayout split(Splitter splitter, double x, double y, PaneSize viewport) {
-        double column = splitter == Splitter.ROWS ? columnShare : x / viewport.width();
-        double row = splitter == Splitter.COLUMNS ? rowShare : y / viewport.height();
+        double column = splitter == Splitter.ROWS ? columnFraction : x / viewport.width();
+        double row = splitter == Splitter.COLUMNS ? rowFraction : y / viewport.height();
         return new PaneLayout(arrangement, active, isMaximised, column, row, views);
     }
 
     /** Returns this layout with another arrangement, not maximised. */
     public PaneLayout with(Arrangement other) {
-        return new PaneLayout(other, active, false, columnShare, rowShare, views);
+        return new PaneLayout(other, active, false, columnFraction, rowFraction, views);
     }
 
     /** Returns this layout with another active pane. */
     public PaneLayout withActive(int pane) {
-        return new PaneLayout(arrangement, pane, isMaximised, columnShare, rowShare, views);
+        return new PaneLayout(arrangement, pane, isMaximised, columnFraction, rowFraction, views);
     }
 
     /** Returns this layout with the active pane maximised, or with all panes if it was. */
     public PaneLayout maximiseToggled() {
-        return new PaneLayout(arrangement, active, !isMaximised, columnShare, rowShare, views);
+        return new PaneLayout(arrangement, active, !isMaximised, columnFraction, rowFraction, views);
     }
 
     /** Returns this layout with another view in a pane. */
     public PaneLayout with(int pane, PaneView view) {
         List<PaneView> others = new ArrayList<>(views);
         others.set(pane, view);
-        return new PaneLayout(arrangement, active, isMaximised, columnShare, rowShare, others);
+        return new PaneLayout(arrangement, active, isMaximised, columnFraction, rowFraction, others);
     }
 
     /** Returns this layout with the next kind in the active pane. */
@@ -214,6 +245,6 @@ public record PaneLayout(
             PlanCamera linked = PlanCamera.linked(view.plan(), leader);
             others.add(new PaneView(view.kind(), view.perspective(), linked, view.mode()));
         }
-        return new PaneLayout(arrangement, active, isMaximised, columnShare, rowShare, others);
+        return new PaneLayout(arrangement, active, isMaximised, columnFraction, rowFraction, others);
     }
 }

@@ -1,6 +1,7 @@
 package nephele.editor.pane;
 
 import java.util.Optional;
+import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
@@ -15,8 +16,8 @@ import nephele.engine.math.Vec3;
 public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees, double verticalFovDegrees)
         implements PaneCamera {
     private static final double STEEPEST_DEGREES = 89.9;
-    /** Share of the distance to what is under the pointer that one notch of the wheel covers. */
-    private static final double DOLLY_SHARE = 0.15;
+    /** Fraction of the distance to what is under the pointer that one notch of the wheel covers. */
+    private static final double DOLLY_FRACTION = 0.15;
 
     private static final double FARTHEST_METRES = 1e7;
     private static final double LEAST_FOCUS_METRES = 0.5;
@@ -44,14 +45,14 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
     @Override
     public Optional<PanePoint> project(Vec3 point, PaneSize size) {
         Basis basis = basis();
-        Vec3 seen = point.minus(eye);
-        double depth = -seen.dot(basis.back());
+        Vec3 offset = point.minus(eye);
+        double depth = -offset.dot(basis.back());
         if (!(depth > 1e-6)) {
             return Optional.empty();
         }
         double half = depth * Math.tan(Math.toRadians(verticalFovDegrees) / 2);
-        double x = (1 + seen.dot(basis.right()) / (half * size.aspect())) * size.width() / 2;
-        double y = (1 - seen.dot(basis.up()) / half) * size.height() / 2;
+        double x = (1 + offset.dot(basis.right()) / (half * size.aspect())) * size.width() / 2;
+        double y = (1 - offset.dot(basis.up()) / half) * size.height() / 2;
         return Optional.of(new PanePoint(x, y, depth));
     }
 
@@ -76,9 +77,6 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
         return basis().back().negated();
     }
 
-    /** The keys held to fly: each number is from −1 to 1. */
-    public record FlightKeys(double right, double up, double forward) {}
-
     /** Turns the camera in place; pixels to the right and down turn it right and down. */
     public static PerspectiveCamera look(
             PerspectiveCamera camera, double acrossPixels, double downPixels, double degreesPerPixel) {
@@ -93,16 +91,20 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
         return new PerspectiveCamera(camera.eye(), yaw, pitchDegrees, camera.verticalFovDegrees());
     }
 
-    /** Flies for some seconds; {@code up} is the world's, the other directions are the camera's. */
-    public static PerspectiveCamera fly(
-            PerspectiveCamera camera, FlightKeys keys, double metresPerSecond, double seconds) {
+    /**
+     * Flies.
+     *
+     * @param keys held to the right, up and forward, from −1 to 1 each; up is the world's, the others are the camera's
+     * @param metres that full speed covers
+     */
+    public static PerspectiveCamera fly(PerspectiveCamera camera, Vec3 keys, double metres) {
         Vec3 wanted = camera.right()
-                .scaled(keys.right())
-                .addScaled(keys.up(), new Vec3(0, 1, 0))
-                .addScaled(keys.forward(), camera.forward());
+                .scaled(keys.x())
+                .addScaled(keys.y(), new Vec3(0, 1, 0))
+                .addScaled(keys.z(), camera.forward());
         double length = wanted.length();
         double shortened = length > 1 ? 1 / length : 1;
-        return at(camera, camera.eye().addScaled(shortened * metresPerSecond * seconds, wanted));
+        return at(camera, camera.eye().addScaled(shortened * metres, wanted));
     }
 
     /**
@@ -112,7 +114,7 @@ public record PerspectiveCamera(Vec3 eye, double yawDegrees, double pitchDegrees
      * @param distanceMetres to what is under the pointer
      */
     public static PerspectiveCamera dolly(PerspectiveCamera camera, double notches, Ray sight, double distanceMetres) {
-        double fraction = 1 - Math.pow(1 - DOLLY_SHARE, notches);
+        double fraction = 1 - Math.pow(1 - DOLLY_FRACTION, notches);
         return at(camera, sight.at(distanceMetres * fraction));
     }
 

@@ -1,6 +1,7 @@
 package nephele.editor.pane;
 
 import java.util.Optional;
+import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -22,7 +23,7 @@ public record PlanCamera(PaneKind kind, Vec3 centre, double metresPerPixel) impl
     private static final double MOST_METRES_PER_PIXEL = 1e4;
     private static final double FARTHEST_METRES = 1e7;
     /** Free space around what is in focus. */
-    private static final double FOCUS_SHARE = 0.8;
+    private static final double FOCUS_FRACTION = 0.8;
 
     public PlanCamera {
         if (kind == PaneKind.PERSPECTIVE) {
@@ -39,10 +40,10 @@ public record PlanCamera(PaneKind kind, Vec3 centre, double metresPerPixel) impl
 
     @Override
     public Optional<PanePoint> project(Vec3 point, PaneSize size) {
-        Vec3 seen = point.minus(centre);
-        double x = size.width() / 2.0 + seen.dot(right()) / metresPerPixel;
-        double y = size.height() / 2.0 - seen.dot(up()) / metresPerPixel;
-        return Optional.of(new PanePoint(x, y, START_METRES + seen.dot(forward())));
+        Vec3 offset = point.minus(centre);
+        double x = size.width() / 2.0 + offset.dot(right()) / metresPerPixel;
+        double y = size.height() / 2.0 - offset.dot(up()) / metresPerPixel;
+        return Optional.of(new PanePoint(x, y, START_METRES + offset.dot(forward())));
     }
 
     @Override
@@ -112,7 +113,7 @@ public record PlanCamera(PaneKind kind, Vec3 centre, double metresPerPixel) impl
         Vec3 extent = new Vec3(box.maxX() - box.minX(), box.maxY() - box.minY(), box.maxZ() - box.minZ());
         double across = Math.abs(extent.dot(camera.right())) / size.width();
         double upwards = Math.abs(extent.dot(camera.up())) / size.height();
-        double wanted = Math.max(across, upwards) / FOCUS_SHARE;
+        double wanted = Math.max(across, upwards) / FOCUS_FRACTION;
         double metres = wanted > 0 ? limited(wanted) : camera.metresPerPixel();
         return at(new PlanCamera(camera.kind(), camera.centre(), metres), box.centre());
     }

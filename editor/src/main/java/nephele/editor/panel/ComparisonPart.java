@@ -3,6 +3,7 @@ package nephele.editor.panel;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
 import java.util.Locale;
+import java.util.function.Function;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -14,8 +15,9 @@ import nephele.editor.proving.ComparedPictures;
 import nephele.editor.proving.TechniqueComparison;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
-import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 import nephele.editor.text.Words;
+import nephele.editor.widget.WordCell;
 import nephele.engine.level.CloudTechnique;
 import nephele.host.compare.ComparisonFigures;
 import nephele.host.compare.TechniquePair;
@@ -69,16 +71,12 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         refresh();
     }
 
-    /** Makes a technique of a choice, of which the other one stays. */
-    private interface PairOf {
-        TechniquePair with(CloudTechnique technique);
-    }
-
-    private void listen(JComboBox<CloudTechnique> choice, PairOf pair) {
-        choice.setRenderer(new ChoiceCell(value -> ChoiceWord.words(value).in(session.language())));
+    private void listen(JComboBox<CloudTechnique> choice, Function<CloudTechnique, TechniquePair> pair) {
+        choice.setRenderer(
+                new WordCell<CloudTechnique>(value -> FieldWords.choice(value).in(session.language())));
         choice.addActionListener(event -> {
             if (!isRefreshing) {
-                comparison.techniques(pair.with((CloudTechnique) choice.getSelectedItem()));
+                comparison.techniques(pair.apply((CloudTechnique) choice.getSelectedItem()));
             }
         });
     }
@@ -96,10 +94,10 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
         boolean hasCloud = comparison.cloud().isPresent();
         setVisible(hasCloud);
         if (hasCloud) {
-            toggle.setSelected(comparison.isShown());
-            toggle.setIcon(comparison.isShown() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT);
+            toggle.setSelected(comparison.isVisible());
+            toggle.setIcon(comparison.isVisible() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT);
             toggle.setText(text(PanelText.COMPARE_TECHNIQUES.words()));
-            body.setVisible(comparison.isShown());
+            body.setVisible(comparison.isVisible());
             name(left, PanelText.LEFT_TECHNIQUE);
             name(right, PanelText.RIGHT_TECHNIQUE);
             name(picture, PanelText.WIPE);
@@ -141,8 +139,8 @@ final class ComparisonPart extends JPanel implements AutoCloseable {
             return PanelText.NO_DIFFERENCE.words();
         }
         return PanelText.DIFFERS.with(
-                ChoiceWord.words(pictures.techniques().tried()),
-                ChoiceWord.words(pictures.techniques().reference()),
+                FieldWords.choice(pictures.techniques().tried()),
+                FieldWords.choice(pictures.techniques().reference()),
                 String.format(Locale.ROOT, "%.3f", measured.flip()),
                 measured.lightPercent());
     }

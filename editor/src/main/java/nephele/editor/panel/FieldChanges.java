@@ -2,14 +2,15 @@ package nephele.editor.panel;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.panel.model.FieldType;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.RecordPath;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
@@ -20,17 +21,17 @@ import nephele.editor.text.Words;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 
-/** Makes the inspector's changes steps of the document; what a field does not take is told and changes nothing. */
+/** Makes the inspector's changes steps of the document, and reports what a field does not take. */
 final class FieldChanges {
     /** The layers of a terrain. */
     private static final RecordPath LAYERS = RecordPath.SELF.component("layers");
 
     private final EditorSession session;
-    private final InspectorModel model = new InspectorModel(LevelStructure.LEVEL);
-    private final java.util.function.Consumer<Words> report;
+    private final InspectorModel model = new InspectorModel(Entities.LEVEL);
+    private final Consumer<Words> report;
 
     /** @param report receives what is wrong with a value, or {@link Words#NONE} */
-    FieldChanges(EditorSession session, java.util.function.Consumer<Words> report) {
+    FieldChanges(EditorSession session, Consumer<Words> report) {
         this.session = session;
         this.report = report;
     }

@@ -18,7 +18,6 @@ import nephele.editor.panel.model.InspectorModel;
 import nephele.editor.panel.model.PanelText;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.ListEdit;
-import nephele.editor.text.ChoiceWord;
 import nephele.editor.text.FieldWords;
 
 /** A line of the inspector: title, editor and menu. A number is also changed by a drag on its title. */
@@ -36,7 +35,7 @@ final class FieldLine {
     FieldLine(InspectorField field, FieldChanges changes, AssetChooser chooser) {
         this.field = field;
         this.changes = changes;
-        editor = FieldEditors.make(field, changes, chooser);
+        editor = FieldEditor.make(field, changes, chooser);
         menu.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         menu.addActionListener(event -> menu().show(menu, 0, menu.getHeight()));
         title.setLabelFor(editor.component());
@@ -75,7 +74,7 @@ final class FieldLine {
         FontMetrics metrics = title.getFontMetrics(title.getFont());
         return field.type().kind() == FieldKind.CHOICE
                 && field.type().choices().stream()
-                        .map(choice -> ChoiceWord.words(choice).in(changes.language()))
+                        .map(choice -> FieldWords.choice(choice).in(changes.language()))
                         .anyMatch(word -> metrics.stringWidth(word) > UIScale.scale(LONGEST_CHOICE_POINTS));
     }
 
@@ -94,7 +93,7 @@ final class FieldLine {
                 .setAccessibleName(PanelText.MENU_OF.with(words).in(changes.language()));
         menu.setVisible(menu().getComponentCount() > 0);
         editor.component().getAccessibleContext().setAccessibleName(words);
-        editor.show(next);
+        editor.show().accept(next);
         enable(editor.component(), !next.isUnset());
     }
 
@@ -153,7 +152,7 @@ final class FieldLine {
         for (Object key : keys) {
             String text =
                     PanelText.ADD_TO.with(field.words().in(changes.language())).in(changes.language()) + ": "
-                            + ChoiceWord.of(key);
+                            + FieldWords.choiceInFiles(key);
             items.add(text).addActionListener(event -> changes.add(field, key));
         }
         if (keys.isEmpty() && InspectorModel.hasTextKeys(field)) {

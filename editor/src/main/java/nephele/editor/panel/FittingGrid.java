@@ -8,7 +8,7 @@ import java.awt.LayoutManager;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 
-/** Equal cells in as many columns as show every text whole, up to a number; one column at least. */
+/** Lays components out in equal cells, in as many columns as show every text whole, up to a number; at least one. */
 final class FittingGrid implements LayoutManager {
     private static final int GAP_POINTS = 2;
 

@@ -3,7 +3,7 @@ package nephele.editor.panel;
 import java.util.Optional;
 import nephele.editor.session.EditorSession;
 
-/** The way through the steps of the first room. A step that is done gives way to the next one that is not. */
+/** The progress through the steps of the first room. After a step that is done comes the next one that is not. */
 public final class Guide {
     private final EditorSession session;
     private int step = -1;

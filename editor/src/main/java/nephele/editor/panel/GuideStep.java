@@ -46,7 +46,7 @@ public enum GuideStep {
                             + " para pendurar uma lâmpada. O inspetor à direita muda brilho e alcance."),
             session -> !level(session).lights().isEmpty(),
             session -> {
-                inside(session, Look.UP);
+                inside(session, 25);
                 place(session, "lights", "point");
             }),
     START(
@@ -61,7 +61,7 @@ public enum GuideStep {
             session ->
                     level(session).player() != null && !level(session).exits().isEmpty(),
             session -> {
-                inside(session, Look.DOWN);
+                inside(session, -28);
                 boolean needsExit = level(session).player() != null;
                 place(session, needsExit ? "exits" : "player", needsExit ? "exit" : "playerstart");
             }),
@@ -77,7 +77,7 @@ public enum GuideStep {
             session -> !level(session).bodies().isEmpty()
                     && !level(session).environment().clouds().isEmpty(),
             session -> {
-                inside(session, Look.DOWN);
+                inside(session, -28);
                 boolean needsCloud = !level(session).bodies().isEmpty();
                 place(session, needsCloud ? "environment.clouds" : "bodies", "box");
             }),
@@ -92,7 +92,7 @@ public enum GuideStep {
                             + " espaço, como no jogo."),
             session -> hasLinkedPortals(level(session)),
             session -> {
-                inside(session, Look.AHEAD);
+                inside(session, -5);
                 use(session, "portal");
             }),
     PLAY(
@@ -162,23 +162,10 @@ public enum GuideStep {
         Tools.named(tool).ifPresent(session::use);
     }
 
-    /** A direction of view. */
-    enum Look {
-        UP(25),
-        AHEAD(-5),
-        DOWN(-28);
-
-        private final double pitchDegrees;
-
-        Look(double pitchDegrees) {
-            this.pitchDegrees = pitchDegrees;
-        }
-    }
-
     private static final double FOV_DEGREES = 75;
 
     /** Places the camera in the room, near its south wall, looking north. */
-    private static void inside(EditorSession session, Look look) {
+    private static void inside(EditorSession session, double pitchDegrees) {
         Aabb room = Aabb.EMPTY;
         for (Solid solid : session.document().level().solids()) {
             room = room.union(EntityBounds.of((Record) solid));
@@ -189,10 +176,7 @@ public enum GuideStep {
         Vec3 middle = room.centre();
         double south = room.maxZ() - 0.18 * (room.maxZ() - room.minZ());
         var camera = new PerspectiveCamera(
-                new Vec3(middle.x(), Math.min(middle.y(), room.minY() + 2.4), south),
-                0,
-                look.pitchDegrees,
-                FOV_DEGREES);
+                new Vec3(middle.x(), Math.min(middle.y(), room.minY() + 2.4), south), 0, pitchDegrees, FOV_DEGREES);
         session.panes(panes -> {
             PaneLayout result = panes;
             for (int i = 0; i < panes.views().size(); i++) {

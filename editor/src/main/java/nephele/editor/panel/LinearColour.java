@@ -8,7 +8,7 @@ final class LinearColour {
     private LinearColour() {}
 
     /** Returns the colour on the screen; one that is brighter than white keeps its hue. */
-    static Color shown(Vec3 linear) {
+    static Color onScreen(Vec3 linear) {
         Vec3 scaled = linear.scaled(1 / Math.max(1, greatest(linear)));
         return new Color(encoded(scaled.x()), encoded(scaled.y()), encoded(scaled.z()));
     }
@@ -17,8 +17,8 @@ final class LinearColour {
         return Math.max(linear.x(), Math.max(linear.y(), linear.z()));
     }
 
-    static Vec3 linear(Color shown) {
-        return new Vec3(decoded(shown.getRed()), decoded(shown.getGreen()), decoded(shown.getBlue()));
+    static Vec3 linear(Color colour) {
+        return new Vec3(decoded(colour.getRed()), decoded(colour.getGreen()), decoded(colour.getBlue()));
     }
 
     private static float encoded(double linear) {

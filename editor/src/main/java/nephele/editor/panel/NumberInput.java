@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.DoublePredicate;
 import javax.swing.JTextField;
 import nephele.editor.panel.model.NumberExpression;
-import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.Listeners;
 
 /** A text field for a number or a sum; Up and Down change it by a step, Escape takes back what was typed. */
 final class NumberInput extends JTextField {
@@ -23,11 +23,11 @@ final class NumberInput extends JTextField {
         this.refuse = refuse;
         entry = new TextEntry(this, this::commit);
         addActionListener(event -> entry.enter());
-        ComponentKeys.bind(this, "UP", () -> step(1));
-        ComponentKeys.bind(this, "DOWN", () -> step(-1));
-        ComponentKeys.bind(this, "shift UP", () -> step(0.1));
-        ComponentKeys.bind(this, "shift DOWN", () -> step(-0.1));
-        ComponentKeys.bind(this, "ESCAPE", entry::revert);
+        Listeners.onKey(this, "UP", () -> step(1));
+        Listeners.onKey(this, "DOWN", () -> step(-1));
+        Listeners.onKey(this, "shift UP", () -> step(0.1));
+        Listeners.onKey(this, "shift DOWN", () -> step(-0.1));
+        Listeners.onKey(this, "ESCAPE", entry::revert);
     }
 
     private void step(double change) {

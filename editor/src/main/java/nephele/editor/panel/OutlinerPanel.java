@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.JLabel;
@@ -23,8 +22,8 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
-import nephele.editor.document.Document;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Registration;
@@ -34,15 +33,14 @@ import nephele.editor.panel.model.EntityStatus;
 import nephele.editor.panel.model.OutlinerModel;
 import nephele.editor.panel.model.OutlinerRow;
 import nephele.editor.panel.model.PanelText;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.text.Limits;
-import nephele.editor.widget.ComponentKeys;
 import nephele.editor.widget.EntityIcons;
-import nephele.editor.widget.TextListener;
+import nephele.editor.widget.Listeners;
 import nephele.engine.level.TextKind;
 import net.miginfocom.swing.MigLayout;
 
@@ -51,54 +49,11 @@ import net.miginfocom.swing.MigLayout;
  * deletes, Enter and a double click look at an entity.
  */
 public final class OutlinerPanel extends JPanel implements AutoCloseable {
-    /** Paints a cell of the outliner. */
-    private static final class OutlinerCell extends DefaultTableCellRenderer {
-        private final transient Function<EntityRef, Icon> symbols;
-
-        /** @param symbols returns that of an entity */
-        OutlinerCell(Function<EntityRef, Icon> symbols) {
-            this.symbols = symbols;
-        }
-
-        @Override
-        public Component getTableCellRendererComponent(
-                JTable table, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
-            super.getTableCellRendererComponent(table, value, isSelected, hasFocus, row, column);
-            OutlinerRow line = ((OutlinerTable) table.getModel()).rows().get(row);
-            boolean isName = column == OutlinerTable.NAME;
-            setText(isName ? String.valueOf(value) : "");
-            setIcon(icon(line, column));
-            setHorizontalAlignment(isName ? SwingConstants.LEADING : SwingConstants.CENTER);
-            setFont(table.getFont().deriveFont(line.hasFold() ? Font.BOLD : Font.PLAIN));
-            int indent = isName ? UIScale.scale(4 + 14 * line.depth()) : 0;
-            setBorder(BorderFactory.createEmptyBorder(0, indent, 0, 0));
-            getAccessibleContext().setAccessibleName(String.valueOf(value));
-            return this;
-        }
-
-        private Icon icon(OutlinerRow line, int column) {
-            boolean isBare = line.members().isEmpty();
-            return switch (column) {
-                case OutlinerTable.EYE -> isBare ? null : line.state().isHidden() ? PanelIcon.EYE_SHUT : PanelIcon.EYE;
-                case OutlinerTable.LOCK -> isBare ? null : line.state().isLocked() ? PanelIcon.PADLOCK : PanelIcon.DOT;
-                default ->
-                    line.hasFold() ? (line.state().isOpen() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT) : symbol(line);
-            };
-        }
-
-        private Icon symbol(OutlinerRow line) {
-            return line.members().isEmpty()
-                    ? null
-                    : symbols.apply(line.members().get(0));
-        }
-    }
-
     private final transient EditorSession session;
     private final transient Registration registration;
-    private final transient OutlinerEdits edits;
     private final transient Consumer<EntityRef> focus;
     private final transient Consumer<List<EntityRef>> delete;
-    private final transient OutlinerModel model = new OutlinerModel(LevelStructure.LEVEL);
+    private final transient OutlinerModel model = new OutlinerModel(Entities.LEVEL);
     private final JTextField search = new JTextField();
     private final JLabel error = new JLabel();
     private final OutlinerTable lines;
@@ -115,14 +70,13 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         this.session = session;
         this.focus = focus;
         this.delete = delete;
-        edits = new OutlinerEdits(session);
-        lines = new OutlinerTable((row, id) -> edits.rename(row.members().get(0), id));
+        lines = new OutlinerTable((row, id) -> rename(row.members().get(0), id));
         table = new JTable(lines);
         arrangeTable();
         add(search);
         add(error);
         add(new JScrollPane(table), "push, grow");
-        search.getDocument().addDocumentListener(new TextListener(this::searched));
+        Listeners.onText(search, this::searched);
         table.getSelectionModel().addListSelectionListener(event -> selectInDocument());
         bindKeys();
         registration = session.listen(change -> {
@@ -140,7 +94,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         table.setTableHeader(null);
         table.setShowGrid(false);
         table.setFillsViewportHeight(true);
-        table.setDefaultRenderer(Object.class, new OutlinerCell(this::symbol));
+        table.setDefaultRenderer(Object.class, cells());
         // A key that is typed shall not begin to rename; F2 does.
         table.putClientProperty("JTable.autoStartsEdit", Boolean.FALSE);
         for (int column : new int[] {OutlinerTable.EYE, OutlinerTable.LOCK}) {
@@ -161,12 +115,46 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         });
     }
 
+    private TableCellRenderer cells() {
+        return new DefaultTableCellRenderer() {
+            @Override
+            public Component getTableCellRendererComponent(
+                    JTable any, Object value, boolean isSelected, boolean hasFocus, int row, int column) {
+                super.getTableCellRendererComponent(any, value, isSelected, hasFocus, row, column);
+                OutlinerRow line = lines.rows().get(row);
+                boolean isName = column == OutlinerTable.NAME;
+                setText(isName ? String.valueOf(value) : "");
+                setIcon(icon(line, column));
+                setHorizontalAlignment(isName ? SwingConstants.LEADING : SwingConstants.CENTER);
+                setFont(any.getFont().deriveFont(line.hasFold() ? Font.BOLD : Font.PLAIN));
+                int indent = isName ? UIScale.scale(4 + 14 * line.depth()) : 0;
+                setBorder(BorderFactory.createEmptyBorder(0, indent, 0, 0));
+                getAccessibleContext().setAccessibleName(String.valueOf(value));
+                return this;
+            }
+        };
+    }
+
+    private Icon icon(OutlinerRow line, int column) {
+        boolean isBare = line.members().isEmpty();
+        return switch (column) {
+            case OutlinerTable.EYE -> isBare ? null : line.state().isHidden() ? PanelIcon.EYE_SHUT : PanelIcon.EYE;
+            case OutlinerTable.LOCK -> isBare ? null : line.state().isLocked() ? PanelIcon.PADLOCK : PanelIcon.DOT;
+            default ->
+                line.hasFold() ? (line.state().isOpen() ? PanelIcon.FOLD_OPEN : PanelIcon.FOLD_SHUT) : symbol(line);
+        };
+    }
+
+    private Icon symbol(OutlinerRow line) {
+        return line.members().isEmpty() ? null : symbol(line.members().get(0));
+    }
+
     private Icon symbol(EntityRef ref) {
         // A level has many solids, and the search for each of those in view would be slow.
         boolean isOfOneSymbol = ref.section().equals(Picker.SOLIDS);
         Optional<Record> entity = isOfOneSymbol
                 ? Optional.empty()
-                : session.document().entities().find(session.document().level(), ref);
+                : Entities.LEVEL.find(session.document().level(), ref);
         return EntityIcons.of(
                 ref.section(),
                 entity.map(record -> RecordKind.of(record).name()).orElse(""));
@@ -176,14 +164,14 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         key("F2", () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
         key("DELETE", () -> delete.accept(selected()));
         key("ENTER", this::focusOnSelected);
-        key("L", () -> edits.toggleLocked(members()));
+        key("L", () -> toggleLocked(members()));
         key("SPACE", this::foldOrHide);
         key("LEFT", () -> fold(true));
         key("RIGHT", () -> fold(false));
     }
 
     private void key(String stroke, Runnable action) {
-        ComponentKeys.bind(table, stroke, () -> {
+        Listeners.onKey(table, stroke, () -> {
             // The field of a rename has no use for some keys and passes them on.
             if (!table.isEditing()) {
                 action.run();
@@ -204,7 +192,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     }
 
     private void searched() {
-        query = EntityQuery.parse(search.getText(), LevelStructure.LEVEL);
+        query = EntityQuery.parse(search.getText(), Entities.LEVEL);
         showErrors();
         refresh();
     }
@@ -299,9 +287,9 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         OutlinerRow row = lines.rows().get(at);
         int column = table.columnAtPoint(event.getPoint());
         if (column == OutlinerTable.EYE) {
-            edits.toggleHidden(row.members());
+            toggleHidden(row.members());
         } else if (column == OutlinerTable.LOCK) {
-            edits.toggleLocked(row.members());
+            toggleLocked(row.members());
         } else if (row.hasFold() && event.getX() < UIScale.scale(24 + 14 * row.depth())) {
             toggleFold(row);
         } else if (event.getClickCount() == 2) {
@@ -325,7 +313,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         if (rows.size() == 1 && rows.get(0).hasFold()) {
             toggleFold(rows.get(0));
         } else {
-            edits.toggleHidden(members());
+            toggleHidden(members());
         }
     }
 
@@ -343,7 +331,7 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
     JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
         item(menu, PanelText.FOCUS, this::focusOnSelected);
-        item(menu, PanelText.FIND_USAGES, () -> selected().stream().findFirst().ifPresent(edits::selectUsages));
+        item(menu, PanelText.FIND_USAGES, () -> selected().stream().findFirst().ifPresent(this::selectUsages));
         item(menu, PanelText.RENAME, () -> table.editCellAt(table.getSelectedRow(), OutlinerTable.NAME));
         item(menu, PanelText.DELETE, () -> delete.accept(selected()));
         return menu;
@@ -353,62 +341,53 @@ public final class OutlinerPanel extends JPanel implements AutoCloseable {
         menu.add(text.in(session.language())).addActionListener(event -> action.run());
     }
 
+    private static String named(List<EntityRef> refs) {
+        return refs.size() == 1 ? refs.get(0).shortName() : String.valueOf(refs.size());
+    }
+
+    private void toggleHidden(List<EntityRef> refs) {
+        if (!refs.isEmpty()) {
+            session.document()
+                    .edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> NoteEdits.hiddenToggled(level, refs));
+        }
+    }
+
+    private void toggleLocked(List<EntityRef> refs) {
+        if (!refs.isEmpty()) {
+            session.document()
+                    .edit(PanelText.LOCK_OR_UNLOCK.with(named(refs)), level -> NoteEdits.lockedToggled(level, refs));
+        }
+    }
+
+    private void rename(EntityRef ref, String id) {
+        EntityRef renamed = new EntityRef(ref.section(), id);
+        if (id.isEmpty() || id.equals(ref.id())) {
+            return;
+        }
+        if (id.length() > TextKind.ID.longest()) {
+            session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
+            return;
+        }
+        if (Entities.LEVEL.find(session.document().level(), renamed).isPresent()) {
+            session.status(PanelText.ID_TAKEN.with(id));
+            return;
+        }
+        session.document().edit(PanelText.RENAME_TO.with(id), null, now -> now.renamed(ref, id));
+    }
+
+    /** Selects what refers to an entity, and reports how much it is. */
+    private void selectUsages(EntityRef ref) {
+        Set<EntityRef> usages = Entities.LEVEL.usages(session.document().level(), ref);
+        if (usages.isEmpty()) {
+            session.status(PanelText.NO_USAGES.with(ref.shortName()));
+        } else {
+            session.document().select(Selection.of(usages));
+            session.status(PanelText.USAGES.with(usages.size(), ref.shortName()));
+        }
+    }
+
     @Override
     public void close() {
         registration.close();
-    }
-
-    /** The steps that the outliner makes. */
-    private record OutlinerEdits(EditorSession session) {
-        private Document document() {
-            return session.document();
-        }
-
-        private static String named(List<EntityRef> refs) {
-            return refs.size() == 1 ? refs.get(0).shortName() : String.valueOf(refs.size());
-        }
-
-        void toggleHidden(List<EntityRef> refs) {
-            if (!refs.isEmpty()) {
-                document()
-                        .edit(PanelText.SHOW_OR_HIDE.with(named(refs)), level -> NoteEdits.hiddenToggled(level, refs));
-            }
-        }
-
-        void toggleLocked(List<EntityRef> refs) {
-            if (!refs.isEmpty()) {
-                document()
-                        .edit(
-                                PanelText.LOCK_OR_UNLOCK.with(named(refs)),
-                                level -> NoteEdits.lockedToggled(level, refs));
-            }
-        }
-
-        void rename(EntityRef ref, String id) {
-            EntityRef renamed = new EntityRef(ref.section(), id);
-            if (id.isEmpty() || id.equals(ref.id())) {
-                return;
-            }
-            if (id.length() > TextKind.ID.longest()) {
-                session.status(Limits.length(id.substring(0, 8) + "…", TextKind.ID));
-                return;
-            }
-            if (document().entities().find(document().level(), renamed).isPresent()) {
-                session.status(PanelText.ID_TAKEN.with(id));
-                return;
-            }
-            document().edit(PanelText.RENAME_TO.with(id), null, now -> now.renamed(ref, id));
-        }
-
-        /** Selects what refers to an entity, and says how much it is. */
-        void selectUsages(EntityRef ref) {
-            Set<EntityRef> usages = document().entities().usages(document().level(), ref);
-            if (usages.isEmpty()) {
-                session.status(PanelText.NO_USAGES.with(ref.shortName()));
-            } else {
-                document().select(Selection.of(usages));
-                session.status(PanelText.USAGES.with(usages.size(), ref.shortName()));
-            }
-        }
     }
 }

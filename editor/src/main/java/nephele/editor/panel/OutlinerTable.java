@@ -9,7 +9,7 @@ import nephele.editor.panel.model.PanelText;
 import nephele.editor.text.EntityWords;
 import nephele.engine.level.Language;
 
-/** The lines of the outliner as a table of name, eye and lock; only lines that differ are told to be new. */
+/** The lines of the outliner as a table of name, eye and lock, which reports only lines that differ as changed. */
 final class OutlinerTable extends AbstractTableModel {
     static final int NAME = 0;
     static final int EYE = 1;

@@ -12,8 +12,9 @@ import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -27,9 +28,9 @@ import javax.swing.SwingConstants;
 import nephele.editor.brush.ShapeOptions;
 import nephele.editor.document.Registration;
 import nephele.editor.paint.MaterialLibrary;
-import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.panel.model.PanelText;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.record.Entities;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
@@ -46,64 +47,17 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class PalettePanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
-    /** A button that shows a material: its picture times its colour, and its name. */
-    private static final class MaterialButton extends JToggleButton {
-        private static final long serialVersionUID = 1;
-        private static final int SIDE_POINTS = 48;
-
-        MaterialButton(Material material, String name, AssetPictures pictures) {
-            super(name, new Sample(material, pictures));
-            setHorizontalTextPosition(SwingConstants.CENTER);
-            setVerticalTextPosition(SwingConstants.BOTTOM);
-            setIconTextGap(2);
-            setMargin(new Insets(2, 0, 2, 0));
-            setToolTipText(name);
-            putClientProperty("JButton.buttonType", "toolBarButton");
-            putClientProperty("FlatLaf.styleClass", "small");
-        }
-
-        private record Sample(Material material, AssetPictures pictures) implements Icon {
-            @Override
-            public void paintIcon(Component component, Graphics graphics, int x, int y) {
-                Graphics2D g = (Graphics2D) graphics.create();
-                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-                int side = getIconWidth();
-                Color colour = LinearColour.shown(material.baseColour());
-                Optional<BufferedImage> picture =
-                        Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
-                g.setColor(colour);
-                g.fillRect(x, y, side, side);
-                picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));
-                if (material.mirror()) {
-                    g.setColor(new Color(255, 255, 255, 150));
-                    g.fillPolygon(new int[] {x + side / 5, x + side / 2, x + side / 5}, new int[] {y + side, y, y}, 3);
-                }
-                g.setColor(Color.GRAY);
-                g.drawRect(x, y, side - 1, side - 1);
-                g.dispose();
-            }
-
-            @Override
-            public int getIconWidth() {
-                return UIScale.scale(SIDE_POINTS);
-            }
-
-            @Override
-            public int getIconHeight() {
-                return getIconWidth();
-            }
-        }
-    }
+    private static final int SAMPLE_POINTS = 48;
 
     private final transient EditorSession session;
     private final transient Registration registration;
     private final JPanel content =
             new WidthTrackingPanel(new MigLayout("insets 4, gap 3, fillx, wrap 1", "[grow, fill]"));
-    private final transient List<Choice> choices = new ArrayList<>();
-    private final transient AssetPictures pictures;
-    private transient List<Material> shown = List.of();
+    /** The buttons, each with the question whether what it sets is set. */
+    private final transient Map<AbstractButton, BooleanSupplier> choices = new LinkedHashMap<>();
 
-    private record Choice(AbstractButton button, BooleanSupplier isChosen) {}
+    private final transient AssetPictures pictures;
+    private transient List<Material> listed = List.of();
 
     /** @param pictures of the textures of materials */
     public PalettePanel(EditorSession session, AssetPictures pictures) {
@@ -119,7 +73,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             }
         });
         registration = session.listen(change -> {
-            if (change == SessionChange.SETTINGS || session.document().level().materials() != shown) {
+            if (change == SessionChange.SETTINGS || session.document().level().materials() != listed) {
                 refresh();
             } else if (change == SessionChange.VIEW) {
                 showChosen();
@@ -129,7 +83,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
     }
 
     private void refresh() {
-        shown = session.document().level().materials();
+        listed = session.document().level().materials();
         Language language = session.language();
         getAccessibleContext().setAccessibleName(PanelText.PALETTE.in(language));
         content.removeAll();
@@ -142,7 +96,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
         shape(shapes, PanelText.ARCH, "arch", new ShapeOptions.Arch(12, 0.5));
         shape(shapes, PanelText.CYLINDER, "cylinder", new ShapeOptions.Cylinder(16));
         for (EntityWords.Group group : EntityWords.Group.values()) {
-            List<PaletteModel.Entry> entries = PaletteModel.entries(LevelStructure.LEVEL, group);
+            List<PaletteEntry> entries = PaletteEntry.below(Entities.LEVEL, group);
             if (group == EntityWords.Group.SOLIDS) {
                 materials(group(PanelText.MATERIALS.in(language), 3));
             }
@@ -180,7 +134,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
                 && session.options().shape().equals(shape);
     }
 
-    private void entity(JPanel grid, PaletteModel.Entry entry) {
+    private void entity(JPanel grid, PaletteEntry entry) {
         var button =
                 new JToggleButton(entry.words().in(session.language()), EntityIcons.of(entry.section(), entry.kind()));
         BooleanSupplier isChosen = () -> session.toolEntry().id().equals("place")
@@ -194,7 +148,7 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void materials(JPanel grid) {
         material(grid, Material.DEFAULT_GREY, null, PanelText.GREY.in(session.language()));
-        shown.forEach(material -> material(grid, material, material.id(), material.id()));
+        listed.forEach(material -> material(grid, material, material.id(), material.id()));
         MaterialLibrary.STANDARD
                 .missingIn(session.document().level())
                 .forEach(material -> material(grid, material, material.id(), material.id()));
@@ -202,12 +156,54 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
 
     private void material(JPanel grid, Material material, String chosen, String name) {
         BooleanSupplier isChosen = () -> Objects.equals(session.options().material(), chosen);
-        var button = new MaterialButton(material, name, pictures);
+        var button = new JToggleButton(name, sample(material));
+        button.setHorizontalTextPosition(SwingConstants.CENTER);
+        button.setVerticalTextPosition(SwingConstants.BOTTOM);
+        button.setIconTextGap(2);
+        button.setMargin(new Insets(2, 0, 2, 0));
+        button.setToolTipText(name);
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.putClientProperty("FlatLaf.styleClass", "small");
         prepare(button, isChosen, () -> {
             session.options().material(chosen);
             session.tell(SessionChange.VIEW);
         });
         grid.add(button);
+    }
+
+    /** Returns the look of a material: its picture times its colour. */
+    private Icon sample(Material material) {
+        return new Icon() {
+            @Override
+            public void paintIcon(Component component, Graphics graphics, int x, int y) {
+                Graphics2D g = (Graphics2D) graphics.create();
+                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                int side = getIconWidth();
+                Color colour = LinearColour.onScreen(material.baseColour());
+                Optional<BufferedImage> picture =
+                        Optional.ofNullable(material.texture()).flatMap(id -> pictures.find(id, component));
+                g.setColor(colour);
+                g.fillRect(x, y, side, side);
+                picture.ifPresent(image -> g.drawImage(image, x, y, side, side, null));
+                if (material.mirror()) {
+                    g.setColor(new Color(255, 255, 255, 150));
+                    g.fillPolygon(new int[] {x + side / 5, x + side / 2, x + side / 5}, new int[] {y + side, y, y}, 3);
+                }
+                g.setColor(Color.GRAY);
+                g.drawRect(x, y, side - 1, side - 1);
+                g.dispose();
+            }
+
+            @Override
+            public int getIconWidth() {
+                return UIScale.scale(SAMPLE_POINTS);
+            }
+
+            @Override
+            public int getIconHeight() {
+                return getIconWidth();
+            }
+        };
     }
 
     private void add(JPanel grid, AbstractButton button, BooleanSupplier isChosen, Runnable action) {
@@ -225,11 +221,11 @@ public final class PalettePanel extends JPanel implements AutoCloseable {
             action.run();
             showChosen();
         });
-        choices.add(new Choice(button, isChosen));
+        choices.put(button, isChosen);
     }
 
     private void showChosen() {
-        choices.forEach(choice -> choice.button().setSelected(choice.isChosen().getAsBoolean()));
+        choices.forEach((button, isChosen) -> button.setSelected(isChosen.getAsBoolean()));
     }
 
     private void take(String tool) {

@@ -14,6 +14,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
+import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.SwingWorker;
@@ -32,51 +33,18 @@ import net.miginfocom.swing.MigLayout;
 /** The problems of the level, searched a moment after each edit on another thread; with their remedies. */
 public final class ProblemsPanel extends JPanel implements AutoCloseable {
     private static final int DELAY_MILLIS = 300;
-    /** Paints a problem: severity, message, entity. */
-    private static final class ProblemCell extends DefaultListCellRenderer {
-        private final transient EditorSession session;
-
-        ProblemCell(EditorSession session) {
-            this.session = session;
-        }
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            super.getListCellRendererComponent(list, "", index, isSelected, hasFocus);
-            LevelProblem problem = (LevelProblem) value;
-            String place =
-                    problem.entity() == null ? problem.path() : problem.entity().text();
-            setText(problem.message().in(session.language()) + "  –  " + place);
-            setToolTipText(getText());
-            PanelText severity =
-                    switch (problem.severity()) {
-                        case ERROR -> PanelText.ERROR;
-                        case WARNING -> PanelText.WARNING;
-                        case HINT -> PanelText.HINT;
-                    };
-            setIcon(
-                    switch (problem.severity()) {
-                        case ERROR -> PanelIcon.ERROR;
-                        case WARNING -> PanelIcon.WARNING;
-                        case HINT -> PanelIcon.HINT;
-                    });
-            getAccessibleContext().setAccessibleName(severity.in(session.language()) + ": " + getText());
-            return this;
-        }
-    }
     /** Searches the problems of a level on another thread, one search at a time; a new one cancels the one before. */
     private static final class ProblemWork {
-        private final Consumer<List<LevelProblem>> shown;
+        private final Consumer<List<LevelProblem>> found;
         private AssetSource assets;
         private ProblemSearch search;
         private Level searched;
         private SwingWorker<Optional<List<LevelProblem>>, Void> running;
 
-        /** @param shown receives what was found, on the event dispatch thread */
-        ProblemWork(AssetSource assets, Consumer<List<LevelProblem>> shown) {
+        /** @param found receives what was found, on the event dispatch thread */
+        ProblemWork(AssetSource assets, Consumer<List<LevelProblem>> found) {
             this.assets = assets;
-            this.shown = shown;
+            this.found = found;
             search = new ProblemSearch(assets);
         }
 
@@ -108,7 +76,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
                 protected void done() {
                     try {
                         if (!isCancelled()) {
-                            get().ifPresent(shown);
+                            get().ifPresent(found);
                         }
                     } catch (CancellationException | InterruptedException cancelled) {
                         // The next search tells the result.
@@ -141,7 +109,7 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
                 new Timer(DELAY_MILLIS, event -> work.search(session.document().level(), session.assets()));
         debounce.setRepeats(false);
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        list.setCellRenderer(new ProblemCell(session));
+        list.setCellRenderer(cells());
         list.addListSelectionListener(event -> {
             enableButtons();
             if (!isUpdating && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
@@ -168,6 +136,36 @@ public final class ProblemsPanel extends JPanel implements AutoCloseable {
         });
         translate();
         restart();
+    }
+
+    private ListCellRenderer<Object> cells() {
+        return new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> any, Object value, int index, boolean isSelected, boolean hasFocus) {
+                super.getListCellRendererComponent(any, "", index, isSelected, hasFocus);
+                LevelProblem problem = (LevelProblem) value;
+                String place = problem.entity() == null
+                        ? problem.path()
+                        : problem.entity().text();
+                setText(problem.message().in(session.language()) + "  –  " + place);
+                setToolTipText(getText());
+                PanelText severity =
+                        switch (problem.severity()) {
+                            case ERROR -> PanelText.ERROR;
+                            case WARNING -> PanelText.WARNING;
+                            case HINT -> PanelText.HINT;
+                        };
+                setIcon(
+                        switch (problem.severity()) {
+                            case ERROR -> PanelIcon.ERROR;
+                            case WARNING -> PanelIcon.WARNING;
+                            case HINT -> PanelIcon.HINT;
+                        });
+                getAccessibleContext().setAccessibleName(severity.in(session.language()) + ": " + getText());
+                return this;
+            }
+        };
     }
 
     private void restart() {

@@ -3,7 +3,6 @@ package nephele.editor.panel;
 import java.util.Optional;
 import javax.swing.Icon;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -15,7 +14,7 @@ import nephele.engine.level.TextKind;
 import net.miginfocom.swing.MigLayout;
 
 /** A text field, of several lines for prose, with a button for a file. */
-final class TextEditor implements FieldEditor {
+final class TextEditor {
     private final FieldChanges changes;
     private final JPanel panel = new JPanel(new MigLayout("insets 0, gap 2, fill", "[grow, fill][]", ""));
     private final TextEntry entry;
@@ -45,7 +44,7 @@ final class TextEditor implements FieldEditor {
                             .with(field.words().in(changes.language()))
                             .in(changes.language()));
             choose.addActionListener(
-                    event -> chooser.choose(this.field, entry.shown()).ifPresent(id -> changes.set(this.field, id)));
+                    event -> chooser.choose(this.field, entry.given()).ifPresent(id -> changes.set(this.field, id)));
             panel.add(choose);
         } else {
             choose = null;
@@ -64,21 +63,19 @@ final class TextEditor implements FieldEditor {
 
     private void showPicture() {
         if (choose != null) {
-            Optional<Icon> picture = chooser.picture(entry.shown());
+            Optional<Icon> picture = chooser.picture(entry.given());
             choose.setIcon(picture.orElse(null));
             choose.setText(picture.isPresent() ? "" : "…");
         }
     }
 
-    @Override
-    public JComponent component() {
-        return panel;
+    FieldEditor editor() {
+        return new FieldEditor(panel, this::show);
     }
 
-    @Override
-    public void show(InspectorField next) {
+    private void show(InspectorField next) {
         field = next;
-        entry.show(next.value() instanceof String text ? text : "", FieldEditors.placeholder(next, changes));
+        entry.show(next.value() instanceof String text ? text : "", FieldEditor.placeholder(next, changes));
         showPicture();
     }
 }

@@ -10,7 +10,7 @@ import javax.swing.text.JTextComponent;
 final class TextEntry {
     private final JTextComponent component;
     private final Predicate<String> commit;
-    private String shown = "";
+    private String given = "";
 
     /** @param commit receives a changed text; false if it is refused */
     TextEntry(JTextComponent component, Predicate<String> commit) {
@@ -26,26 +26,26 @@ final class TextEntry {
 
     /** Commits the text if it differs from the shown one. */
     void enter() {
-        if (!component.getText().equals(shown)) {
+        if (!component.getText().equals(given)) {
             outline(commit.test(component.getText()) ? null : FlatClientProperties.OUTLINE_ERROR);
         }
     }
 
     /** Replaces a text that was typed by the shown one. */
     void revert() {
-        component.setText(shown);
+        component.setText(given);
     }
 
     /** Returns the text of the last call of {@link #show}. */
-    String shown() {
-        return shown;
+    String given() {
+        return given;
     }
 
     /** Shows a text and, while it is empty, the placeholder; a focused component keeps what is typed over the same text. */
     void show(String text, String placeholder) {
         component.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, placeholder);
-        if (!text.equals(shown) || !component.hasFocus()) {
-            shown = text;
+        if (!text.equals(given) || !component.hasFocus()) {
+            given = text;
             outline(null);
             if (!component.getText().equals(text)) {
                 component.setText(text);

@@ -8,7 +8,6 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JColorChooser;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import nephele.editor.panel.model.InspectorField;
 import nephele.editor.panel.model.PanelText;
@@ -16,7 +15,7 @@ import nephele.engine.math.Vec3;
 import net.miginfocom.swing.MigLayout;
 
 /** Three numbers, with a swatch if they are a linear RGB colour. */
-final class VectorEditor implements FieldEditor {
+final class VectorEditor {
     private static final List<ToDoubleFunction<Vec3>> AXES = List.of(Vec3::x, Vec3::y, Vec3::z);
 
     private final FieldChanges changes;
@@ -31,7 +30,7 @@ final class VectorEditor implements FieldEditor {
         boolean isColour = field.type().isColour();
         for (int axis = 0; axis < 3; axis++) {
             int changed = axis;
-            var input = new NumberInput(value -> commit(changed, value), text -> FieldEditors.refuse(changes, text));
+            var input = new NumberInput(value -> commit(changed, value), text -> FieldEditor.refuse(changes, text));
             input.getAccessibleContext()
                     .setAccessibleName(
                             field.words().in(changes.language()) + " " + (isColour ? "RGB" : "xyz").charAt(axis));
@@ -60,7 +59,7 @@ final class VectorEditor implements FieldEditor {
     private void choose() {
         Vec3 before = field.value() instanceof Vec3 value ? value : new Vec3(1, 1, 1);
         Color chosen =
-                JColorChooser.showDialog(panel, field.words().in(changes.language()), LinearColour.shown(before));
+                JColorChooser.showDialog(panel, field.words().in(changes.language()), LinearColour.onScreen(before));
         if (chosen != null) {
             // A light is brighter than a screen: the choice keeps its strength.
             double strength = Math.max(1, LinearColour.greatest(before));
@@ -68,13 +67,11 @@ final class VectorEditor implements FieldEditor {
         }
     }
 
-    @Override
-    public JComponent component() {
-        return panel;
+    FieldEditor editor() {
+        return new FieldEditor(panel, this::show);
     }
 
-    @Override
-    public void show(InspectorField next) {
+    private void show(InspectorField next) {
         field = next;
         for (int axis = 0; axis < 3; axis++) {
             ToDoubleFunction<Vec3> part = AXES.get(axis);
@@ -83,10 +80,8 @@ final class VectorEditor implements FieldEditor {
                     .map(value -> part.applyAsDouble((Vec3) value))
                     .collect(Collectors.toSet());
             inputs.get(axis)
-                    .show(
-                            values.size() == 1 ? values.iterator().next() : null,
-                            FieldEditors.placeholder(next, changes));
+                    .show(values.size() == 1 ? values.iterator().next() : null, FieldEditor.placeholder(next, changes));
         }
-        swatch.setIcon(next.value() instanceof Vec3 colour ? PanelIcon.swatch(LinearColour.shown(colour)) : null);
+        swatch.setIcon(next.value() instanceof Vec3 colour ? PanelIcon.swatch(LinearColour.onScreen(colour)) : null);
     }
 }

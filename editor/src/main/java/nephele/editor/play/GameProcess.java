@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.ObjLongConsumer;
 
 /** A process of the waiting game and the threads that read its output. */
 final class GameProcess implements AutoCloseable {
@@ -33,14 +34,12 @@ final class GameProcess implements AutoCloseable {
         orders = new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8);
     }
 
-    /** Receives an answer, and when its order was given. */
-    @FunctionalInterface
-    interface Answered {
-        void answer(PlayAnswer answer, long orderedNanos);
-    }
-
-    /** @param died receives the process and a message for the user after its end */
-    static GameProcess start(List<String> command, Answered answered, BiConsumer<GameProcess, String> died)
+    /**
+     * @param answered receives each answer, and when its order was given
+     * @param died receives the process and a message for the user after its end
+     */
+    static GameProcess start(
+            List<String> command, ObjLongConsumer<PlayAnswer> answered, BiConsumer<GameProcess, String> died)
             throws IOException {
         var builder = new ProcessBuilder(command);
         limitMemory(builder.environment());
@@ -84,14 +83,14 @@ final class GameProcess implements AutoCloseable {
             orders.write(order.line() + "\n");
             orders.flush();
         } catch (IOException dying) {
-            process.destroy(); // the thread that reads its answers tells the failure
+            process.destroy(); // the thread that reads its answers reports the failure
         }
     }
 
-    private void readAnswers(Answered answered) {
+    private void readAnswers(ObjLongConsumer<PlayAnswer> answered) {
         eachLine(process.getInputStream(), line -> PlayAnswer.read(line).ifPresent(answer -> {
             isReady |= answer instanceof PlayAnswer.Ready;
-            answered.answer(answer, orderedNanos);
+            answered.accept(answer, orderedNanos);
         }));
     }
 
@@ -116,7 +115,7 @@ final class GameProcess implements AutoCloseable {
         }
     }
 
-    /** Returns why the process ended, as far as it said. */
+    /** Returns why the process ended, as far as it printed that. */
     private String lastWords() {
         try {
             int code = process.waitFor();

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
@@ -36,32 +37,10 @@ public final class WarmGame implements AutoCloseable {
             "-XX:TrimNativeHeapInterval=3000");
 
     private final Supplier<List<String>> commandLine;
-    private final Listener listener;
+    private final Consumer<PlayAnswer> listener;
     private GameProcess process;
     private Path snapshot;
     private boolean isClosed;
-
-    /** Learns what happens to the game. */
-    public interface Listener {
-        /** A process waits: a play starts without delay from now on. */
-        void ready();
-
-        /**
-         * The first frame is on the screen.
-         *
-         * @param millis since {@link WarmGame#play} was called
-         */
-        void playing(long millis);
-
-        /** The light of the level is being baked during the play; at 100 it is shown. */
-        void baking(int percent);
-
-        /** The player has left. */
-        void ended(PlayEnd end);
-
-        /** The play did not begin or broke off; the message is for the user. */
-        void failed(String message);
-    }
 
     /**
      * A play to start.
@@ -70,12 +49,16 @@ public final class WarmGame implements AutoCloseable {
      * @param file the level's own file, for its name and its assets; it need not exist
      * @param from where the player starts, {@code null} for the level's start
      * @param quality the quality preset, {@code null} for that of the player's settings
-     * @param record the file for a solution, {@code null} for none: see {@link RecordedSolution#fileOf}
+     * @param record the file for a solution, {@code null} for none: see {@link SolutionCheck#fileOf}
      */
     public record Request(Level level, Path file, PlayerStart from, String quality, Path record) {}
 
-    /** @param commandLine the game's program and its arguments, which make it wait for orders */
-    public WarmGame(Supplier<List<String>> commandLine, Listener listener) {
+    /**
+     * @param commandLine the game's program and its arguments, which make it wait for orders
+     * @param listener receives what happens to the game; {@link PlayAnswer.Playing} counts from the call of {@link #play},
+     *     {@link PlayAnswer.Failed} also reports that a play did not begin or that the process broke off
+     */
+    public WarmGame(Supplier<List<String>> commandLine, Consumer<PlayAnswer> listener) {
         this.commandLine = commandLine;
         this.listener = listener;
     }
@@ -87,7 +70,7 @@ public final class WarmGame implements AutoCloseable {
                 process = GameProcess.start(commandLine.get(), this::answered, this::died);
             } catch (IOException missing) {
                 process = null;
-                listener.failed("the game can't be started: " + missing.getMessage());
+                listener.accept(new PlayAnswer.Failed("the game can't be started: " + missing.getMessage()));
             }
         }
     }
@@ -122,7 +105,7 @@ public final class WarmGame implements AutoCloseable {
                 process.order(order, now);
             }
         } catch (IOException | LevelFormatException unwritten) {
-            listener.failed("the level can't be played: " + unwritten.getMessage());
+            listener.accept(new PlayAnswer.Failed("the level can't be played: " + unwritten.getMessage()));
         }
     }
 
@@ -148,17 +131,10 @@ public final class WarmGame implements AutoCloseable {
     }
 
     private void answered(PlayAnswer answer, long orderedNanos) {
-        if (answer instanceof PlayAnswer.Ready) {
-            listener.ready();
-        } else if (answer instanceof PlayAnswer.Playing) {
-            listener.playing((System.nanoTime() - orderedNanos) / 1_000_000);
-        } else if (answer instanceof PlayAnswer.Baking baking) {
-            listener.baking(baking.percent());
-        } else if (answer instanceof PlayAnswer.Ended ended) {
-            listener.ended(ended.end());
-        } else if (answer instanceof PlayAnswer.Failed failed) {
-            listener.failed(failed.message());
-        }
+        listener.accept(
+                answer instanceof PlayAnswer.Playing
+                        ? new PlayAnswer.Playing((System.nanoTime() - orderedNanos) / 1_000_000)
+                        : answer);
     }
 
     /** Starts the next process, unless the last one never became ready: that would go on for ever. */
@@ -170,7 +146,7 @@ public final class WarmGame implements AutoCloseable {
             }
             process = null;
         }
-        listener.failed(message);
+        listener.accept(new PlayAnswer.Failed(message));
         if (wasReady) {
             warm();
         }

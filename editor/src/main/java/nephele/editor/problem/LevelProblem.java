@@ -49,16 +49,6 @@ public record LevelProblem(
         }
         List<String> keys = new ArrayList<>(level.editor().ignoredProblems());
         keys.add(problem.key());
-        return with(level, keys);
-    }
-
-    /** Returns the level with a problem shown again. */
-    public static Level show(Level level, LevelProblem problem) {
-        List<String> keys = new ArrayList<>(level.editor().ignoredProblems());
-        return keys.remove(problem.key()) ? with(level, keys) : level;
-    }
-
-    private static Level with(Level level, List<String> keys) {
         EditorNotes notes = level.editor();
         return level.with(new EditorNotes(notes.groups(), notes.hidden(), notes.locked(), List.copyOf(keys)));
     }

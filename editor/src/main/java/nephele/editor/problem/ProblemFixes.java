@@ -154,7 +154,7 @@ final class ProblemFixes {
     }
 
     private static Level withoutSky(Level now) {
-        return (Level) Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
+        return Entities.LEVEL.without(now, List.of(EntityRef.single("environment.sky")));
     }
 
     private LevelProblem.Fix withoutPortals(Problem problem) {
@@ -177,7 +177,7 @@ final class ProblemFixes {
             return now;
         }
         Solid solid = now.solids().get(place.index());
-        Solid changed = FaceEdit.withoutPortals(solid, place.rest());
+        Solid changed = place.withoutPortals(solid);
         return changed.equals(solid) ? now : place.replacedAt(now, (Record) changed);
     }
 
@@ -197,7 +197,7 @@ final class ProblemFixes {
             String material = from.flatMap(this::material).orElse(null);
             if (to.isPresent() && material != null && to.get().entity(level) instanceof Solid solid) {
                 EntityPath place = to.get();
-                Solid changed = FaceEdit.withMaterial(solid, place.rest(), material);
+                Solid changed = place.withMaterial(solid, material);
                 fixes.add(new LevelProblem.Fix(
                         ProblemText.ONE_MATERIAL.with(material),
                         now -> place.replaced(now, (Record) solid, (Record) changed)));
@@ -207,7 +207,7 @@ final class ProblemFixes {
     }
 
     private Optional<String> material(EntityPath place) {
-        Optional<String> ofFace = FaceEdit.derived(level, place).map(BrushFace::material);
+        Optional<String> ofFace = place.derivedFace(level).map(BrushFace::material);
         return ofFace.isPresent() || !(place.entity(level) instanceof Solid solid)
                 ? ofFace
                 : Optional.ofNullable(solid.material());
@@ -222,7 +222,7 @@ final class ProblemFixes {
         LevelProblem.Fix move =
                 new LevelProblem.Fix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, entity)
                         .nearest(box)
-                        .map(way -> place.replaced(now, entity, EntityTransform.moved(entity, way)))
+                        .map(displacement -> place.replaced(now, entity, EntityTransform.moved(entity, displacement)))
                         .orElse(now));
         return List.of(move, delete(place));
     }
@@ -234,8 +234,8 @@ final class ProblemFixes {
         }
         return List.of(new LevelProblem.Fix(ProblemText.MOVE_OUT.words(), now -> new FreePlace(level, statics, start)
                 .nearest(FreePlace.room(start))
-                .filter(way -> now.player() == start)
-                .map(way -> RecordKind.with(now, "player", EntityTransform.moved(start, way)))
+                .filter(displacement -> now.player() == start)
+                .map(displacement -> RecordKind.with(now, "player", EntityTransform.moved(start, displacement)))
                 .orElse(now)));
     }
 }

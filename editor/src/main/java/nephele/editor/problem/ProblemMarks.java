@@ -37,7 +37,7 @@ final class ProblemMarks {
     private static List<Mark> of(Level level, EntityPath path) {
         if (path.entity(level) instanceof Solid solid) {
             try {
-                Optional<BrushFace> face = FaceEdit.derived(level, path);
+                Optional<BrushFace> face = path.derivedFace(level);
                 return face.isPresent()
                         ? area(face.get().polygon())
                         : edges(Brush.of(solid).shape());
@@ -60,20 +60,12 @@ final class ProblemMarks {
     private static List<Mark> area(List<Vec3> corners) {
         List<Mark> marks = new ArrayList<>();
         marks.add(new Mark.Polygon(corners, MarkColour.PROBLEM, Mark.Visibility.ALWAYS));
-        marks.addAll(loop(corners));
-        return marks;
-    }
-
-    private static List<Mark> loop(List<Vec3> corners) {
-        List<Mark> marks = new ArrayList<>();
-        for (int i = 0; i < corners.size(); i++) {
-            marks.add(line(corners.get(i), corners.get((i + 1) % corners.size())));
-        }
+        marks.addAll(Mark.polygon(corners, MarkColour.PROBLEM, Mark.Visibility.ALWAYS));
         return marks;
     }
 
     private static List<Mark> edges(Aabb box) {
-        return edges(ConvexPolyhedron.box(box));
+        return Mark.box(box, MarkColour.PROBLEM, Mark.Visibility.ALWAYS);
     }
 
     private static List<Mark> edges(ConvexPolyhedron shape) {

@@ -1,6 +1,7 @@
 package nephele.editor.problem;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,7 +68,7 @@ public final class ProblemSearch {
                 var rules = isSound ? LevelRules.of(Stage.LAYOUT, Stage.WORLD) : LevelRules.of(Stage.LAYOUT);
                 found.addAll(apply(rules, level, statics, isOver));
             }
-            return isOver.getAsBoolean() ? Optional.empty() : Optional.of(shown(level, statics, found));
+            return isOver.getAsBoolean() ? Optional.empty() : Optional.of(listed(level, statics, found));
         } catch (CancellationException cancelled) {
             return Optional.empty();
         }
@@ -84,10 +85,11 @@ public final class ProblemSearch {
         return problems;
     }
 
-    /** Reads files only if a record that names one has changed, or what their models are compared with. */
+    /** Reads files only if a record that names one has changed, or what models and billboards are compared with. */
     private List<Problem> ofFiles(Level level, BooleanSupplier isOver) {
-        List<Object> named = new ArrayList<>(List.of(level.materials(), level.environment(), level.models()));
-        if (!level.models().isEmpty()) {
+        List<Object> named = new ArrayList<>(
+                List.of(level.materials(), level.environment(), level.models(), level.terrains(), level.billboards()));
+        if (!level.models().isEmpty() || !level.billboards().isEmpty()) {
             named.addAll(List.of(level.solids(), level.portals(), Optional.ofNullable(level.player())));
         }
         if (!named.equals(namedFiles)) {
@@ -102,31 +104,28 @@ public final class ProblemSearch {
         try {
             placed = placed == null ? PlacedLevel.of(level, assets) : placed.edited(level);
             return placed.statics();
-        } catch (IllegalArgumentException | AssetException toldByARule) {
+        } catch (IllegalArgumentException | AssetException reportedByARule) {
             return null;
         }
     }
 
-    private static List<LevelProblem> shown(Level level, StaticShapes statics, List<Problem> found) {
+    private static List<LevelProblem> listed(Level level, StaticShapes statics, List<Problem> found) {
         ProblemFixes fixes = new ProblemFixes(level, statics);
-        List<LevelProblem> shown = new ArrayList<>();
-        for (Problem.Severity severity : Problem.Severity.values()) {
-            for (Problem problem : found) {
-                if (problem.severity() == severity && isShown(problem)) {
-                    shown.add(shown(level, problem, fixes));
-                }
-            }
-        }
-        shown.addAll(of(level, statics));
-        return numbered(shown);
+        List<LevelProblem> listed = new ArrayList<>();
+        found.stream()
+                .filter(ProblemSearch::isListed)
+                .sorted(Comparator.comparing(Problem::isError).reversed())
+                .forEach(problem -> listed.add(listed(level, problem, fixes)));
+        listed.addAll(of(level, statics));
+        return numbered(listed);
     }
 
     /** Leaves out the missing start, which is a hint here. */
-    private static boolean isShown(Problem problem) {
+    private static boolean isListed(Problem problem) {
         return problem.subject().topic() != Topic.NO_VIEWPOINT;
     }
 
-    private static LevelProblem shown(Level level, Problem problem, ProblemFixes fixes) {
+    private static LevelProblem listed(Level level, Problem problem, ProblemFixes fixes) {
         EntityRef entity = EntityPath.of(level, problem.path())
                 .map(path -> path.reference(level))
                 .orElse(problem.path().startsWith("player") ? EntityRef.single("player") : null);

@@ -2,7 +2,6 @@ package nephele.editor.proving;
 
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
-import nephele.editor.text.Words;
 import nephele.engine.math.Vec3;
 
 /**
@@ -14,11 +13,6 @@ import nephele.engine.math.Vec3;
  * @param metres how far the portal slides or how uneven the ground is, if that is the result, otherwise 0
  */
 public record HeatCell(Mark.Polygon mark, Vec3 aim, HeatText text, double metres) {
-    /** Returns the result in words, for the status line. */
-    public Words reason() {
-        return text.words(metres);
-    }
-
     /** Returns the result as a colour. */
     public MarkColour colour() {
         return mark.colour();

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import nephele.editor.pane.Mark;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
@@ -15,42 +16,38 @@ import nephele.engine.math.Vec3;
 /** The placement heat map over the perspective panes; after an edit only what is near it is computed again. */
 public final class HeatOverlay {
     private static final long PROGRESS_NANOS = 200_000_000;
-    /** One computation, which ends when a newer one begins. */
-    private static final class Run {
-        private volatile boolean isCancelled;
-        private volatile long toldNanos;
-    }
-
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private final Supplier<ProvingThreads> threads;
+    private boolean isVisible;
     private Level computedOf;
     private AssetSource computedWith;
     private HeatMap memory;
     private List<Mark> marks = List.of();
     private Map<HeatText, Integer> counts = Map.of();
     private Words reported = Words.NONE;
-    private Run running = new Run();
 
-    HeatOverlay(ProvingSubject subject) {
+    /** The number of the last computation; an older one ends when it has changed. */
+    private volatile int running;
+
+    /** When the progress was reported last. */
+    private volatile long reportedNanos;
+
+    HeatOverlay(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
+        this.threads = threads;
     }
 
-    void runOn(ProvingThreads other) {
-        threads = other;
-    }
-
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Shows the map or takes it away. */
-    public void show(boolean shown) {
-        isShown = shown;
-        if (isShown) {
+    public void show(boolean visible) {
+        isVisible = visible;
+        if (isVisible) {
             follow();
         } else {
-            running.isCancelled = true;
+            running = running + 1;
             computedOf = null;
         }
         subject.redraw();
@@ -59,53 +56,52 @@ public final class HeatOverlay {
     /** Computes the map again if the level has changed; waits for the end of a drag. */
     void follow() {
         boolean isSame = subject.level() == computedOf && subject.assets() == computedWith;
-        if (!isShown || isSame || !subject.isSettled()) {
+        if (!isVisible || isSame || !subject.isSettled()) {
             return;
         }
-        running.isCancelled = true;
-        Run run = new Run();
+        int run = running + 1;
         running = run;
         Level level = subject.level();
         AssetSource assets = subject.assets();
         HeatMap before = assets == computedWith ? memory : null;
         computedOf = level;
         computedWith = assets;
-        run.toldNanos = System.nanoTime();
-        threads.work().execute(() -> compute(run, level, assets, before));
+        reportedNanos = System.nanoTime();
+        threads.get().work().execute(() -> compute(run, level, assets, before));
     }
 
-    private void compute(Run run, Level level, AssetSource assets, HeatMap before) {
+    private void compute(int run, Level level, AssetSource assets, HeatMap before) {
         try {
             PlacedLevel placed = before == null
                     ? PlacedLevel.of(level, assets)
                     : before.placed().edited(level);
-            PlacementHeatMap map = new PlacementHeatMap(placed, PlacementHeatMap.Settings.DEFAULT, before);
-            boolean isDone = map.compute(() -> run.isCancelled, part -> progress(run, map.done()));
+            PlacementHeatMap map = new PlacementHeatMap(placed, before);
+            boolean isDone = map.compute(() -> run != running, () -> progress(run, map.done()));
             if (isDone) {
-                HeatMap result = map.memory();
+                HeatMap result = map.map();
                 List<Mark> drawn = HeatRegions.of(result);
-                threads.session().execute(() -> done(run, result, drawn));
+                threads.get().session().execute(() -> done(run, result, drawn));
             }
         } catch (AssetException | IllegalArgumentException unusable) {
-            threads.session().execute(() -> failed(run, unusable.getMessage()));
+            threads.get().session().execute(() -> failed(run, unusable.getMessage()));
         }
     }
 
-    private void progress(Run run, double fraction) {
+    private void progress(int run, double fraction) {
         long now = System.nanoTime();
-        if (now - run.toldNanos > PROGRESS_NANOS) {
-            run.toldNanos = now;
-            Words words = ProvingText.HEAT_PROGRESS.words().with(Math.round(100 * fraction));
-            threads.session().execute(() -> {
-                if (run == running && !run.isCancelled) {
+        if (now - reportedNanos > PROGRESS_NANOS) {
+            reportedNanos = now;
+            Words words = ProvingText.HEAT_PROGRESS.with(Math.round(100 * fraction));
+            threads.get().session().execute(() -> {
+                if (run == running) {
                     subject.status(words);
                 }
             });
         }
     }
 
-    private void done(Run run, HeatMap result, List<Mark> drawn) {
-        if (run != running || run.isCancelled) {
+    private void done(int run, HeatMap result, List<Mark> drawn) {
+        if (run != running) {
             return;
         }
         memory = result;
@@ -116,11 +112,11 @@ public final class HeatOverlay {
         int fit = number.getOrDefault(HeatText.FITS, 0);
         int slide = number.getOrDefault(HeatText.SLIDES, 0);
         int refused = number.values().stream().mapToInt(Integer::intValue).sum() - fit - slide;
-        subject.status(ProvingText.HEAT_DONE.words().with(fit, slide, refused));
+        subject.status(ProvingText.HEAT_DONE.with(fit, slide, refused));
         subject.redraw();
     }
 
-    private void failed(Run run, String message) {
+    private void failed(int run, String message) {
         if (run == running) {
             marks = List.of();
             counts = Map.of();
@@ -137,11 +133,11 @@ public final class HeatOverlay {
 
     /** Returns the marks for perspective panes: the same list until the map changes. */
     public List<Mark> marks() {
-        return isShown ? marks : List.of();
+        return isVisible ? marks : List.of();
     }
 
     void pointed(Vec3 place) {
-        if (!isShown || memory == null) {
+        if (!isVisible || memory == null) {
             return;
         }
         HeatCell cell = memory.at(place);

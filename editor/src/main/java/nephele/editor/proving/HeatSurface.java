@@ -45,7 +45,7 @@ record HeatSurface(List<Vec3> corners, boolean portalable, Basis axes) {
                 Vec3 area = corners.get(1)
                         .minus(corners.get(0))
                         .cross(corners.get(2).minus(corners.get(0)));
-                add(corners, model.said().portalable(), Directions.unit(area), all);
+                add(corners, model.authored().portalable(), Directions.unit(area), all);
             }
         }
         return all;

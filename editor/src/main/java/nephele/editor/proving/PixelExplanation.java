@@ -21,7 +21,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 
 /**
  * What a pixel of the perspective pane shows, and why: the surface at the end of its sight, the light that the reference
@@ -33,32 +33,26 @@ public record PixelExplanation(List<String> lines) {
     private static final int SAMPLES = 256;
     private static final double ON_FACE_METRES = 1e-3;
 
-    /** The pixel in question. */
-    record Asked(Level level, AssetSource assets, Language language, PaneEye eye, PaneEye.Pixel pixel) {}
-
     /** Explains a pixel, on any thread; takes a moment, as it traces rays. */
-    static PixelExplanation of(Asked asked) {
-        Level level = asked.level;
-        Language language = asked.language;
-        PaneEye eye = asked.eye;
-        PaneEye.Pixel pixel = asked.pixel;
+    static PixelExplanation of(Level level, AssetSource assets, Language language, PaneEye eye, PaneEye.Pixel pixel) {
         List<String> lines = new ArrayList<>();
-        lines.add(ProvingText.PIXEL.in(
-                language,
-                pixel.x(),
-                pixel.y(),
-                eye.size().width(),
-                eye.size().height(),
-                place(eye.camera().eye())));
+        lines.add(ProvingText.PIXEL
+                .with(
+                        pixel.x(),
+                        pixel.y(),
+                        eye.size().width(),
+                        eye.size().height(),
+                        place(eye.camera().eye()))
+                .in(language));
         try {
-            PlacedLevel placed = PlacedLevel.of(level, asked.assets);
+            PlacedLevel placed = PlacedLevel.of(level, assets);
             PlacedLevel exposed = TracedExposure.fixed(placed, ColourDecoding.SRGB, eye.pinhole(), 0);
             TracedLevel traced = TracedLevel.of(exposed, ColourDecoding.SRGB);
             addSight(lines, language, level, traced.sight(eye.pinhole(pixel)), eye);
             addLight(lines, language, exposed.level(), traced, eye, pixel);
             lines.add("");
             lines.add(ProvingText.PASSES.in(language));
-            FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level)))
+            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
                     .explain()
                     .forEach(line -> lines.add("  " + line));
         } catch (AssetException | IllegalArgumentException unusable) {
@@ -73,14 +67,20 @@ public record PixelExplanation(List<String> lines) {
         if (index == VisibleSurface.NOTHING) {
             lines.add(ProvingText.SEES_NOTHING.in(language));
         } else {
-            lines.add(ProvingText.SEES.in(language, name(level, index), place(sight.place())));
+            lines.add(ProvingText.SEES
+                    .with(name(level, index), place(sight.place()))
+                    .in(language));
             face(level, index, sight.place())
-                    .ifPresent(face -> lines.add(ProvingText.FACE.in(
-                            language,
-                            face.name(),
-                            face.material(),
-                            (face.portalable() ? ProvingText.TAKES_PORTALS : ProvingText.TAKES_NONE).in(language),
-                            number(sight.place().minus(eye.camera().eye()).length()))));
+                    .ifPresent(face -> lines.add(ProvingText.FACE
+                            .with(
+                                    face.name(),
+                                    face.material(),
+                                    (face.portalable() ? ProvingText.TAKES_PORTALS : ProvingText.TAKES_NONE)
+                                            .in(language),
+                                    number(sight.place()
+                                            .minus(eye.camera().eye())
+                                            .length()))
+                            .in(language)));
         }
         if (sight.pathHash() != 0) {
             lines.add(ProvingText.ON_THE_WAY.in(language));
@@ -112,17 +112,18 @@ public record PixelExplanation(List<String> lines) {
             List<String> lines, Language language, Level level, TracedLevel traced, PaneEye eye, PaneEye.Pixel pixel) {
         float[] radiance = ReferencePicture.trace(
                 traced, eye.pinhole(pixel), new TraceSettings(1, 1, SAMPLES, 1, 1), fraction -> {});
-        Picture shown = TracedCorner.TraceProgress.picture(radiance, 1, level);
-        lines.add(ProvingText.LIGHT.in(
-                language,
-                number(radiance[0]) + " " + number(radiance[1]) + " " + number(radiance[2]),
-                SAMPLES,
-                String.format(
-                        Locale.ROOT,
-                        "#%02x%02x%02x",
-                        shown.sample(0, 0, 0),
-                        shown.sample(0, 0, 1),
-                        shown.sample(0, 0, 2))));
+        Picture displayed = TracedCorner.TraceProgress.picture(radiance, 1, level);
+        lines.add(ProvingText.LIGHT
+                .with(
+                        number(radiance[0]) + " " + number(radiance[1]) + " " + number(radiance[2]),
+                        SAMPLES,
+                        String.format(
+                                Locale.ROOT,
+                                "#%02x%02x%02x",
+                                displayed.sample(0, 0, 0),
+                                displayed.sample(0, 0, 1),
+                                displayed.sample(0, 0, 2)))
+                .in(language));
     }
 
     private static String place(Vec3 at) {

@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.engine.level.Level;
@@ -36,42 +35,22 @@ public final class PlacementHeatMap {
     private static final double LIFT_METRES = 5e-3;
 
     /** Slide up to which a portal is where it was aimed. */
-    private static final double AIMED_METRES = 1e-6;
+    public static final double AIMED_METRES = 1e-6;
 
     /** What the engine tolerates beside the portal itself. */
     private static final double REACH_METRES = 0.25;
 
-    private static final int CHUNK_CELLS = 500;
-
     /** The greatest number of doublings of the cells' size; the remaining excess is left out. */
     private static final int MOST_DOUBLINGS = 20;
 
-    private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
-    /** Passes cells on in parts of one size. */
-    private static final class Parts {
-        private final Consumer<List<HeatCell>> part;
-        private final List<HeatCell> cells = new ArrayList<>();
+    /** The gun of a level that has none. */
+    public static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
 
-        Parts(Consumer<List<HeatCell>> part) {
-            this.part = part;
-        }
+    private static final double SPACING_METRES = 0.25;
+    private static final int MOST_CELLS = 40_000;
 
-        void add(HeatCell cell) {
-            cells.add(cell);
-            if (cells.size() >= CHUNK_CELLS) {
-                end();
-            }
-        }
-
-        void end() {
-            if (!cells.isEmpty()) {
-                part.accept(List.copyOf(cells));
-                cells.clear();
-            }
-        }
-    }
-
-    private final Settings settings;
+    private final double yawRadians;
+    private final int mostCells;
     private final List<HeatSurface> surfaces;
     private final BrushIndex solids;
     private final Placement placement;
@@ -80,16 +59,28 @@ public final class PlacementHeatMap {
     private final PlacedLevel placed;
     private final Map<HeatSurface, List<HeatCell>> kept;
     private final Map<HeatSurface, List<HeatCell>> computed = new LinkedHashMap<>();
-    private volatile int dealtWith;
+    private volatile int finished;
 
-    /** Prepares the map of a level; the shots are made by {@link #compute}. */
-    public PlacementHeatMap(PlacedLevel placed, Settings settings) {
-        this(placed, settings, null);
+    /**
+     * Prepares the map of a level, with cells of a quarter of a metre, seen by a shooter who faces −z.
+     *
+     * @param before a map of the level before an edit, made in the same way, or {@code null}
+     */
+    PlacementHeatMap(PlacedLevel placed, HeatMap before) {
+        this(placed, SPACING_METRES, 0, MOST_CELLS, before);
     }
 
-    /** @param before a map of the level before an edit, with the same settings, or {@code null} */
-    public PlacementHeatMap(PlacedLevel placed, Settings settings, HeatMap before) {
-        this.settings = settings;
+    /**
+     * Prepares the map of a level; the shots are made by {@link #compute}.
+     *
+     * @param spacingMetres side of its cells; coarser where the level would have more than {@code mostCells}
+     * @param yawRadians direction that the shooter faces over floors and under ceilings; 0 looks along −z, positive to the
+     *     left
+     * @param before a map of the level before an edit, made in the same way, or {@code null}
+     */
+    PlacementHeatMap(PlacedLevel placed, double spacingMetres, double yawRadians, int mostCells, HeatMap before) {
+        this.yawRadians = yawRadians;
+        this.mostCells = mostCells;
         this.placed = placed;
         Level level = placed.level();
         surfaces = HeatSurface.all(placed.statics());
@@ -98,19 +89,19 @@ public final class PlacementHeatMap {
         Gun gun = Gun.of(authored);
         placement = new Placement(PlacementSurfaces.of(placed.statics()), gun);
         fixed = level.portals().stream().map(Portal::of).toList();
-        spacing = spacing();
+        spacing = spacing(spacingMetres);
         double reach = REACH_METRES + gun.slideMetres() + authored.widthMetres() + authored.heightMetres();
         kept = before != null && before.spacingMetres() == spacing ? before.kept(placed, surfaces, reach) : Map.of();
     }
 
     /** Returns the map after {@link #compute}. */
-    public HeatMap memory() {
+    public HeatMap map() {
         return new HeatMap(placed, spacing, computed);
     }
 
-    /** Returns the share of the surfaces that have been dealt with, 0–1. */
+    /** Returns the fraction of the surfaces that have been dealt with, 0–1. */
     public double done() {
-        return surfaces.isEmpty() ? 1 : (double) dealtWith / surfaces.size();
+        return surfaces.isEmpty() ? 1 : (double) finished / surfaces.size();
     }
 
     /** Returns the number of surfaces that an edit has left as they were. */
@@ -123,9 +114,9 @@ public final class PlacementHeatMap {
         return spacing;
     }
 
-    private double spacing() {
-        double side = settings.spacingMetres();
-        for (int i = 0; i < MOST_DOUBLINGS && cells(side) > settings.mostCells(); i++) {
+    private double spacing(double wishedMetres) {
+        double side = wishedMetres;
+        for (int i = 0; i < MOST_DOUBLINGS && cells(side) > mostCells; i++) {
             side *= 2;
         }
         return side;
@@ -138,36 +129,34 @@ public final class PlacementHeatMap {
     }
 
     /**
-     * Computes the cells and passes them on in parts, surface by surface, at most as many as the settings permit.
+     * Computes the cells, surface by surface, at most as many as are permitted.
      *
      * @param isCancelled asked between cells; an interrupt of the thread cancels, too
+     * @param progress called after each surface
      * @return false if cancelled
      */
-    public boolean compute(BooleanSupplier isCancelled, Consumer<List<HeatCell>> part) {
-        Parts parts = new Parts(part);
-        int left = settings.mostCells();
+    public boolean compute(BooleanSupplier isCancelled, Runnable progress) {
+        int left = mostCells;
         for (HeatSurface surface : surfaces) {
             List<HeatCell> its = kept.get(surface);
             if (its == null) {
-                its = cells(surface, left, isCancelled, parts);
-            } else {
-                its.forEach(parts::add);
+                its = cells(surface, left, isCancelled);
             }
             if (its == null) {
                 return false;
             }
             computed.put(surface, its);
-            dealtWith++;
+            finished++;
             left -= its.size();
+            progress.run();
         }
-        parts.end();
         return true;
     }
 
     /** Returns {@code null} if cancelled. */
-    private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled, Parts parts) {
+    private List<HeatCell> cells(HeatSurface surface, int most, BooleanSupplier isCancelled) {
         List<HeatCell> cells = new ArrayList<>();
-        Basis view = surface.view(settings.yawRadians());
+        Basis view = surface.view(yawRadians);
         for (List<Vec3> piece : surface.portalable() ? surface.pieces(spacing) : List.of(surface.corners())) {
             if (isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted()) {
                 return null;
@@ -175,7 +164,6 @@ public final class PlacementHeatMap {
             HeatCell cell = cells.size() < most ? cell(surface, piece, view) : null;
             if (cell != null) {
                 cells.add(cell);
-                parts.add(cell);
             }
         }
         return List.copyOf(cells);
@@ -216,17 +204,5 @@ public final class PlacementHeatMap {
             sum = sum.plus(corner);
         }
         return sum.scaled(1.0 / polygon.size());
-    }
-
-    /**
-     * The fineness of a heat map and its shooter.
-     *
-     * @param spacingMetres side of its cells; coarser where the level would have more than {@code mostCells}
-     * @param yawRadians direction that the shooter faces over floors and under ceilings; 0 looks along −z, positive to the
-     *     left
-     */
-    public record Settings(double spacingMetres, double yawRadians, int mostCells) {
-        /** Cells of a quarter of a metre, seen by a shooter who faces −z. */
-        public static final Settings DEFAULT = new Settings(0.25, 0, 40_000);
     }
 }

@@ -37,7 +37,7 @@ public final class ProblemTour {
         found = List.copyOf(problems);
         if (chosen != null) {
             String key = chosen.key();
-            chosen = shown().stream()
+            chosen = listed().stream()
                     .filter(problem -> problem.key().equals(key))
                     .findFirst()
                     .orElse(null);
@@ -46,15 +46,15 @@ public final class ProblemTour {
     }
 
     /** Returns the problems that are not hidden; of a level whose search has no result yet, after one. */
-    public List<LevelProblem> shown() {
+    public List<LevelProblem> listed() {
         if (foundOf != subject.level()) {
             Level searched = subject.level();
             found = subject.background().get(() -> ProblemSearch.of(searched, subject.assets()));
             foundOf = searched;
         }
-        List<LevelProblem> shown = new ArrayList<>(found);
-        shown.removeIf(problem -> LevelProblem.isHidden(subject.level(), problem));
-        return shown;
+        List<LevelProblem> listed = new ArrayList<>(found);
+        listed.removeIf(problem -> LevelProblem.isHidden(subject.level(), problem));
+        return listed;
     }
 
     /** Returns the problem whose place is marked. */
@@ -80,12 +80,12 @@ public final class ProblemTour {
      * @return empty if there are no problems
      */
     public Optional<LevelProblem> step(int steps) {
-        List<LevelProblem> shown = shown();
-        if (shown.isEmpty()) {
+        List<LevelProblem> listed = listed();
+        if (listed.isEmpty()) {
             return Optional.empty();
         }
-        int at = chosen == null ? (steps > 0 ? -1 : 0) : indexOf(shown, chosen.key());
-        return Optional.of(shown.get(Math.floorMod(at + steps, shown.size())));
+        int at = chosen == null ? (steps > 0 ? -1 : 0) : indexOf(listed, chosen.key());
+        return Optional.of(listed.get(Math.floorMod(at + steps, listed.size())));
     }
 
     private static int indexOf(List<LevelProblem> problems, String key) {

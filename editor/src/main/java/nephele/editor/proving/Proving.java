@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.editor.pane.Mark;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Language;
+import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 
 /** The proofs of a session and what the viewport shows of them. Used by the session's thread. */
@@ -23,21 +26,16 @@ public final class Proving {
     public Proving(ProvingSubject subject) {
         this.subject = subject;
         problems = new ProblemTour(subject);
-        heat = new HeatOverlay(subject);
-        solution = new SolutionProof(subject);
-        corner = new TracedCorner(subject);
-        trade = new TradeReport(subject);
-        techniques = new TechniqueComparison(subject);
+        heat = new HeatOverlay(subject, () -> threads);
+        solution = new SolutionProof(subject, () -> threads);
+        corner = new TracedCorner(subject, () -> threads);
+        trade = new TradeReport(subject, () -> threads);
+        techniques = new TechniqueComparison(subject, () -> threads);
     }
 
     /** Sets the threads of all further proofs. */
     public void runOn(ProvingThreads others) {
         threads = others;
-        heat.runOn(others);
-        solution.runOn(others);
-        corner.runOn(others);
-        trade.runOn(others);
-        techniques.runOn(others);
     }
 
     public ProblemTour problems() {
@@ -102,11 +100,6 @@ public final class Proving {
         });
     }
 
-    /** Returns the place that was under the pointer last; empty if there was none. */
-    public Optional<Vec3> pointed() {
-        return Optional.ofNullable(pointed);
-    }
-
     /**
      * Explains the pixel of the perspective pane under the pointer, or else its middle.
      *
@@ -114,10 +107,12 @@ public final class Proving {
      */
     public void explain(Consumer<PixelExplanation> reported) {
         PaneEye eye = PaneEye.of(subject);
-        PixelExplanation.Asked asked = new PixelExplanation.Asked(
-                subject.level(), subject.assets(), subject.language(), eye, eye.pixel(pointed));
+        PaneEye.Pixel pixel = eye.pixel(pointed);
+        Level level = subject.level();
+        AssetSource assets = subject.assets();
+        Language language = subject.language();
         threads.work().execute(() -> {
-            PixelExplanation found = PixelExplanation.of(asked);
+            PixelExplanation found = PixelExplanation.of(level, assets, language, eye, pixel);
             threads.session().execute(() -> reported.accept(found));
         });
     }

@@ -1,7 +1,5 @@
 package nephele.editor.proving;
 
-import java.nio.file.Path;
-import java.util.Optional;
 import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Selection;
 import nephele.editor.pane.PaneCamera.PaneSize;
@@ -19,9 +17,6 @@ public interface ProvingSubject {
 
     /** Returns what runs the reading of files. */
     BackgroundReading background();
-
-    /** Returns the level's file; empty for an untitled one. */
-    Optional<Path> levelFile();
 
     Selection selection();
 

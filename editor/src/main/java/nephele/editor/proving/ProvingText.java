@@ -1,10 +1,10 @@
 package nephele.editor.proving;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of proofs in English, Brazilian and European Portuguese. */
-public enum ProvingText {
+public enum ProvingText implements Text {
     HEAT_PROGRESS(
             "Computing where portals fit: %s %%",
             "Calculando onde cabem portais: %s %%", "A calcular onde cabem portais: %s %%"),
@@ -63,13 +63,8 @@ public enum ProvingText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text in all languages. */
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text with its values filled in. */
-    public String in(Language language, Object... values) {
-        return (values.length == 0 ? words : words.with(values)).in(language);
     }
 }

@@ -8,8 +8,7 @@ import java.util.function.Supplier;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.play.PlayText;
-import nephele.editor.play.RecordedSolution;
-import nephele.editor.play.RecordedSolution.Outcome;
+import nephele.editor.play.SolutionCheck;
 import nephele.editor.play.SolutionVerdict;
 import nephele.editor.play.SolutionVerdict.Deviation;
 import nephele.editor.text.Words;
@@ -26,25 +25,24 @@ public final class SolutionProof {
     private static final Vec3 BODY = new Vec3(0.6, 1.8, 0.6);
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
-    private RecordedSolution.Running running;
+    private final Supplier<ProvingThreads> threads;
+    /** Ends the check in progress; {@code null} before the first. */
+    private Runnable cancel;
+
     private SolutionVerdict verdict;
     private String failure;
     private Level checked;
     private List<Mark> marks = List.of();
 
-    SolutionProof(ProvingSubject subject) {
+    SolutionProof(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
-    }
-
-    void runOn(ProvingThreads other) {
-        threads = other;
+        this.threads = threads;
     }
 
     /** Replays the solution beside a level's file in the level as it is now; a check in progress ends. */
     public void check(Path file) {
-        if (running != null) {
-            running.cancel();
+        if (cancel != null) {
+            cancel.run();
         }
         verdict = null;
         failure = null;
@@ -53,14 +51,13 @@ public final class SolutionProof {
         AssetSource assets = subject.assets();
         Level level = checked;
         Supplier<SimLevel> present = () -> SimLevel.of(PlacedLevel.of(level, assets));
-        running = RecordedSolution.check(
+        cancel = SolutionCheck.start(
                 file,
+                threads.get().work(),
                 () -> usable(present),
                 fraction -> onSession(level, () -> subject.status(PlayText.CHECKING.with(Math.round(100 * fraction)))),
-                new Outcome(
-                        result -> onSession(level, () -> checked(result)),
-                        message -> onSession(level, () -> failed(message))),
-                threads.work());
+                result -> onSession(level, () -> checked(result)),
+                message -> onSession(level, () -> failed(message)));
     }
 
     private static SimLevel usable(Supplier<SimLevel> present) {
@@ -72,7 +69,7 @@ public final class SolutionProof {
     }
 
     private void onSession(Level level, Runnable reported) {
-        threads.session().execute(() -> {
+        threads.get().session().execute(() -> {
             if (checked == level) {
                 reported.run();
             }
@@ -119,8 +116,8 @@ public final class SolutionProof {
     /** A verdict is about the level that was checked: an edit takes its marks away and ends a check in progress. */
     void follow() {
         if (checked != null && subject.level() != checked) {
-            if (running != null) {
-                running.cancel();
+            if (cancel != null) {
+                cancel.run();
             }
             checked = null;
             dismiss();

@@ -3,6 +3,7 @@ package nephele.editor.proving;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import nephele.editor.record.EntityRef;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
@@ -21,9 +22,9 @@ public final class TechniqueComparison {
     private static final int TIMED_FRAMES = 6;
 
     private final ProvingSubject subject;
+    private final Supplier<ProvingThreads> threads;
     private final AtomicLong asked = new AtomicLong();
-    private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private boolean isVisible;
     private TechniquePair techniques;
     /** The written technique of the cloud that was followed last. */
     private CloudTechnique written;
@@ -31,19 +32,16 @@ public final class TechniqueComparison {
     private Wipe wipe = Wipe.MIDDLE;
     private ComparedCloud wanted;
     private ComparedPictures pictures;
-    private long shown;
+    private long received;
     private ComparisonThread thread;
 
-    TechniqueComparison(ProvingSubject subject) {
+    TechniqueComparison(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
+        this.threads = threads;
     }
 
-    void runOn(ProvingThreads other) {
-        threads = other;
-    }
-
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Returns the cloud that is selected alone; empty for any other selection. */
@@ -58,7 +56,7 @@ public final class TechniqueComparison {
 
     /** Begins to draw the selected cloud. */
     public void show() {
-        isShown = true;
+        isVisible = true;
         wanted = null;
         follow();
         subject.redraw();
@@ -66,7 +64,7 @@ public final class TechniqueComparison {
 
     /** Ends it, and gives back what it takes. */
     public void hide() {
-        isShown = false;
+        isVisible = false;
         wanted = null;
         pictures = null;
         asked.incrementAndGet();
@@ -123,7 +121,7 @@ public final class TechniqueComparison {
     }
 
     void follow() {
-        Cloud cloud = isShown ? cloud().orElse(null) : null;
+        Cloud cloud = isVisible ? cloud().orElse(null) : null;
         if (cloud == null) {
             return;
         }
@@ -143,22 +141,22 @@ public final class TechniqueComparison {
         }
         ComparisonThread drawing = thread;
         long number = asked.incrementAndGet();
-        threads.work().execute(() -> draw(drawing, next, number));
+        threads.get().work().execute(() -> draw(drawing, next, number));
     }
 
     private void draw(ComparisonThread drawing, ComparedCloud next, long number) {
         for (int frames : new int[] {1, TIMED_FRAMES}) {
             if (number == asked.get()) {
                 ComparedPictures drawn = drawing.draw(next, frames);
-                threads.session().execute(() -> receive(drawn, number));
+                threads.get().session().execute(() -> receive(drawn, number));
             }
         }
     }
 
     /** Takes pictures that are newer than those that are shown, even if newer ones are wanted already. */
     private void receive(ComparedPictures drawn, long number) {
-        if (isShown && number >= shown) {
-            shown = number;
+        if (isVisible && number >= received) {
+            received = number;
             pictures = drawn;
             subject.redraw();
         }

@@ -3,6 +3,7 @@ package nephele.editor.proving;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -14,8 +15,8 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
-import nephele.engine.render.ToneMappedPicture;
-import nephele.host.draw.Outputs;
+import nephele.engine.render.Capture;
+import nephele.host.draw.QualityChoice;
 
 /**
  * The path-traced picture in a corner of the perspective pane. It begins again after a change of the camera or of the
@@ -25,20 +26,11 @@ public final class TracedCorner {
     /** Samples per pixel after which the picture is finished. */
     private static final int ENOUGH_SAMPLES = 1024;
 
-    private static final double SHARE_OF_PANE = 0.38;
+    private static final double FRACTION_OF_PANE = 0.38;
     private static final int WIDEST_PIXELS = 400;
     private static final int MOST_SAMPLES_AT_ONCE = 16;
     private static final int PREVIEW_DIVISOR = 4;
 
-    private static final class Run {
-        private volatile boolean isCancelled;
-
-        void requireWanted() {
-            if (isCancelled) {
-                throw new CancellationException("the camera or the level has changed");
-            }
-        }
-    }
     /** The mean of traced pictures, weighted by their samples. */
     static final class TraceProgress {
         private final int width;
@@ -71,7 +63,8 @@ public final class TracedCorner {
 
         /** Returns radiance, the bottom row first, as the engine would display it. */
         static Picture picture(float[] radiance, int width, Level level) {
-            BufferedImage image = ToneMappedPicture.of(radiance, width, level.environment(), Outputs.defaultFor(level));
+            BufferedImage image =
+                    Capture.toneMapped(radiance, width, level.environment(), QualityChoice.defaultOutput(level));
             byte[] rgb = new byte[3 * width * image.getHeight()];
             for (int i = 0; i < width * image.getHeight(); i++) {
                 int colour = image.getRGB(i % width, i / width);
@@ -84,11 +77,14 @@ public final class TracedCorner {
     }
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
-    private boolean isShown;
+    private final Supplier<ProvingThreads> threads;
+    private boolean isVisible;
     private int enough = ENOUGH_SAMPLES;
     private Wanted wanted;
-    private Run running;
+
+    /** The number of the last run; an older one ends when it has changed. */
+    private volatile int running;
+
     private Traced traced;
     /** The last level prepared for tracing; camera movements use it again. */
     private volatile Prepared prepared;
@@ -102,7 +98,7 @@ public final class TracedCorner {
 
     private record Prepared(Level level, AssetSource assets, PlacedLevel placed, TracedLevel traced) {
         /** Returns what an eye sees: for an exposure that its picture decides, another level. */
-        Prepared seenFrom(PaneEye eye) {
+        Prepared exposedFor(PaneEye eye) {
             if (!TracedExposure.isNeeded(level)) {
                 return this;
             }
@@ -118,33 +114,28 @@ public final class TracedCorner {
      */
     public record Traced(Picture picture, int samples) {}
 
-    TracedCorner(ProvingSubject subject) {
+    TracedCorner(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
+        this.threads = threads;
     }
 
-    void runOn(ProvingThreads other) {
-        threads = other;
-    }
-
-    public boolean isShown() {
-        return isShown;
+    public boolean isVisible() {
+        return isVisible;
     }
 
     /** Shows the picture or takes it away. */
-    public void show(boolean shown) {
-        show(shown, ENOUGH_SAMPLES);
+    public void show(boolean visible) {
+        show(visible, ENOUGH_SAMPLES);
     }
 
     /** Shows the picture up to a number of samples per pixel, or takes it away. */
-    public void show(boolean shown, int samples) {
-        isShown = shown;
+    public void show(boolean visible, int samples) {
+        isVisible = visible;
         enough = samples;
         wanted = null;
         traced = null;
-        if (running != null) {
-            running.isCancelled = true;
-        }
-        if (isShown) {
+        running = running + 1;
+        if (isVisible) {
             follow();
         }
         subject.redraw();
@@ -152,7 +143,7 @@ public final class TracedCorner {
 
     /** Returns the picture; empty while there is none. */
     public Optional<Traced> traced() {
-        return isShown ? Optional.ofNullable(traced) : Optional.empty();
+        return isVisible ? Optional.ofNullable(traced) : Optional.empty();
     }
 
     /** Returns the picture if it belongs to a pane. */
@@ -161,7 +152,7 @@ public final class TracedCorner {
     }
 
     void follow() {
-        if (!isShown || !subject.isSettled()) {
+        if (!isVisible || !subject.isSettled()) {
             return;
         }
         Wanted next = new Wanted(subject.level(), subject.assets(), PaneEye.of(subject));
@@ -169,39 +160,37 @@ public final class TracedCorner {
             return;
         }
         wanted = next;
-        if (running != null) {
-            running.isCancelled = true;
-        }
-        Run run = new Run();
+        int run = running + 1;
         running = run;
         int most = enough;
-        threads.work().execute(() -> trace(run, next, most));
+        threads.get().work().execute(() -> trace(run, next, most));
     }
 
-    private void trace(Run run, Wanted what, int most) {
+    private void trace(int run, Wanted what, int most) {
         try {
-            Prepared seen = prepared(what).seenFrom(what.eye);
-            TracedLevel level = seen.traced;
-            run.requireWanted();
+            Prepared exposed = prepared(what).exposedFor(what.eye);
+            TracedLevel level = exposed.traced;
+            requireWanted(run);
             int width = (int) Math.min(
-                    WIDEST_PIXELS, Math.max(16, SHARE_OF_PANE * what.eye.size().width()));
+                    WIDEST_PIXELS,
+                    Math.max(16, FRACTION_OF_PANE * what.eye.size().width()));
             int height = (int) Math.max(9, Math.round(width / what.eye.size().aspect()));
             TraceProgress sum = new TraceProgress(width, height);
             float[] coarse = rays(
                     run, level, what, new TraceSettings(width / PREVIEW_DIVISOR, height / PREVIEW_DIVISOR, 1, 1, 1));
-            show(run, new Traced(TraceProgress.picture(coarse, width / PREVIEW_DIVISOR, seen.level), 0));
+            show(run, new Traced(TraceProgress.picture(coarse, width / PREVIEW_DIVISOR, exposed.level), 0));
             while (sum.samples() < most) {
                 int samples =
                         Math.min(Math.min(MOST_SAMPLES_AT_ONCE, Math.max(1, sum.samples())), most - sum.samples());
                 sum.add(
                         rays(run, level, what, new TraceSettings(width, height, samples, sum.samples() + 1, 1)),
                         samples);
-                show(run, new Traced(sum.picture(seen.level), sum.samples()));
+                show(run, new Traced(sum.picture(exposed.level), sum.samples()));
             }
         } catch (CancellationException cancelled) {
             return;
         } catch (AssetException | IllegalArgumentException unusable) {
-            threads.session().execute(() -> subject.status(Words.same(unusable.getMessage())));
+            threads.get().session().execute(() -> subject.status(Words.same(unusable.getMessage())));
         }
     }
 
@@ -215,22 +204,28 @@ public final class TracedCorner {
         return known;
     }
 
+    private void requireWanted(int run) {
+        if (run != running) {
+            throw new CancellationException("the camera or the level has changed");
+        }
+    }
+
     /** Traces on one thread, and gives way to everything else. */
-    private static float[] rays(Run run, TracedLevel level, Wanted what, TraceSettings settings) {
+    private float[] rays(int run, TracedLevel level, Wanted what, TraceSettings settings) {
         try {
             return ReferencePicture.trace(level, what.eye.pinhole(), settings, fraction -> {
                 Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
-                run.requireWanted();
+                requireWanted(run);
             });
         } catch (IllegalStateException stopped) {
-            run.requireWanted();
+            requireWanted(run);
             throw stopped;
         }
     }
 
-    private void show(Run run, Traced next) {
-        threads.session().execute(() -> {
-            if (run == running && !run.isCancelled) {
+    private void show(int run, Traced next) {
+        threads.get().session().execute(() -> {
+            if (run == running) {
                 traced = next;
                 subject.redraw();
             }

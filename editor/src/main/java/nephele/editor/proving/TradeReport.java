@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import nephele.editor.text.Words;
 
 /**
@@ -19,32 +21,23 @@ public final class TradeReport {
     private static final String PAGE = "index.html";
 
     private final ProvingSubject subject;
-    private ProvingThreads threads = ProvingThreads.DIRECT;
-    private CommandLine commandLine = (level, out) -> List.of();
+    private final Supplier<ProvingThreads> threads;
+    private BiFunction<Path, Path, List<String>> commandLine = (level, out) -> List.of();
     private Process process;
     private Path page;
 
-    /** The program that makes the report, and its arguments. */
-    @FunctionalInterface
-    public interface CommandLine {
-        /**
-         * Returns the words.
-         *
-         * @param out the folder that receives {@code index.html}; progress is printed as lines
-         */
-        List<String> words(Path level, Path out);
-    }
-
-    TradeReport(ProvingSubject subject) {
+    TradeReport(ProvingSubject subject, Supplier<ProvingThreads> threads) {
         this.subject = subject;
+        this.threads = threads;
     }
 
-    void runOn(ProvingThreads other) {
-        threads = other;
-    }
-
-    /** Sets the program; without one, no report can be made. */
-    public void madeBy(CommandLine program) {
+    /**
+     * Sets the program; without one, no report can be made.
+     *
+     * @param program returns the command line for a level's file and the folder that receives {@code index.html}; the
+     *     program prints its progress as lines
+     */
+    public void madeBy(BiFunction<Path, Path, List<String>> program) {
         commandLine = program;
     }
 
@@ -70,7 +63,7 @@ public final class TradeReport {
      */
     public void start(Path level, Path out, Runnable finished) {
         page = null;
-        List<String> words = commandLine.words(level.toAbsolutePath(), out.toAbsolutePath());
+        List<String> words = commandLine.apply(level.toAbsolutePath(), out.toAbsolutePath());
         try {
             Files.createDirectories(out);
             process = new ProcessBuilder(words).redirectErrorStream(true).start();
@@ -81,7 +74,7 @@ public final class TradeReport {
         }
         subject.status(ProvingText.TRADE_STARTED.words());
         Process started = process;
-        threads.work().execute(() -> follow(started, out.resolve(PAGE), finished));
+        threads.get().work().execute(() -> follow(started, out.resolve(PAGE), finished));
     }
 
     /** Stops the program, with the processes that it has started. */
@@ -97,13 +90,13 @@ public final class TradeReport {
     private void follow(Process started, Path result, Runnable finished) {
         String last = lines(started, started.getInputStream());
         int code = exit(started);
-        threads.session().execute(() -> {
+        threads.get().session().execute(() -> {
             if (process != started) {
                 return;
             }
             if (code == 0 && Files.isRegularFile(result)) {
                 page = result;
-                subject.status(ProvingText.TRADE_DONE.words().with(result));
+                subject.status(ProvingText.TRADE_DONE.with(result));
                 finished.run();
             } else {
                 failed(last.isEmpty() ? "exit code " + code : last);
@@ -112,13 +105,13 @@ public final class TradeReport {
     }
 
     /** Shows each line as progress, and returns the last one. */
-    private String lines(Process started, InputStream authored) {
+    private String lines(Process started, InputStream output) {
         String last = "";
-        try (BufferedReader lines = new BufferedReader(new InputStreamReader(authored, StandardCharsets.UTF_8))) {
+        try (BufferedReader lines = new BufferedReader(new InputStreamReader(output, StandardCharsets.UTF_8))) {
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 last = line.isBlank() ? last : line.strip();
-                Words words = ProvingText.TRADE_PROGRESS.words().with(last);
-                threads.session().execute(() -> {
+                Words words = ProvingText.TRADE_PROGRESS.with(last);
+                threads.get().session().execute(() -> {
                     if (process == started) {
                         subject.status(words);
                     }
@@ -142,6 +135,6 @@ public final class TradeReport {
 
     private void failed(String reason) {
         process = null;
-        subject.status(ProvingText.TRADE_FAILED.words().with(reason));
+        subject.status(ProvingText.TRADE_FAILED.with(reason));
     }
 }

@@ -9,31 +9,82 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
+import nephele.engine.level.EditorNotes;
+import nephele.engine.level.Level;
 
-/** Finds, adds, replaces, removes and renames the entities of a level. All functions return a new root record. */
+/**
+ * The sections of a level, found from its record class: lists of entities, and single records. It finds, adds, replaces,
+ * removes and renames entities; all changes return a new root record.
+ */
 public final class Entities {
     /** The entities of levels of this version. */
-    public static final Entities LEVEL = new Entities(LevelStructure.LEVEL);
+    public static final Entities LEVEL = of(Level.class);
 
-    private final LevelStructure structure;
+    private final List<EntitySection> lists = new ArrayList<>();
+    private final List<SingleSection> singles = new ArrayList<>();
 
-    public Entities(LevelStructure structure) {
-        this.structure = structure;
+    private Entities(Class<? extends Record> root) {
+        singles.add(new SingleSection("", List.of(), List.of(RecordKind.of(root))));
+        explore(RecordKind.of(root), "", List.of());
     }
 
-    public LevelStructure structure() {
-        return structure;
+    /** Returns the entities of a kind of root record. */
+    public static Entities of(Class<? extends Record> root) {
+        return new Entities(root);
+    }
+
+    private void explore(RecordKind owner, String prefix, List<RecordField> steps) {
+        for (RecordField field : owner.fields()) {
+            String path = prefix + field.name();
+            List<RecordKind> kinds =
+                    field.recordClasses().stream().map(RecordKind::of).toList();
+            if (kinds.isEmpty() || field.valueClass() == EditorNotes.class) {
+                continue;
+            }
+            if (field.kind() == FieldKind.LIST && kinds.stream().allMatch(Entities::hasId)) {
+                lists.add(new EntitySection(path, steps, field, kinds));
+            } else if (field.kind() == FieldKind.RECORD || field.kind() == FieldKind.VARIANT) {
+                List<RecordField> deeper = new ArrayList<>(steps);
+                deeper.add(field);
+                singles.add(new SingleSection(path, List.copyOf(deeper), kinds));
+                if (kinds.size() == 1 && !field.isNullable()) {
+                    explore(kinds.get(0), path + ".", List.copyOf(deeper));
+                }
+            }
+        }
+    }
+
+    private static boolean hasId(RecordKind kind) {
+        return kind.fields().stream().anyMatch(RecordField::isId);
+    }
+
+    /** Returns the lists of entities, in the order of the file. */
+    public List<EntitySection> lists() {
+        return List.copyOf(lists);
+    }
+
+    /** Returns the single records, the level itself first. */
+    public List<SingleSection> singles() {
+        return List.copyOf(singles);
+    }
+
+    public Optional<EntitySection> list(String path) {
+        return lists.stream().filter(section -> section.path().equals(path)).findFirst();
+    }
+
+    public Optional<SingleSection> single(String path) {
+        return singles.stream().filter(section -> section.path().equals(path)).findFirst();
     }
 
     /** Returns every entity and single record that the level has, in the order of the file; not the level itself. */
     public List<EntityRef> all(Record root) {
         List<EntityRef> all = new ArrayList<>();
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : singles) {
             if (!single.path().isEmpty() && single.get(root) != null) {
                 all.add(EntityRef.single(single.path()));
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : lists) {
             section.entities(root).forEach(entity -> all.add(new EntityRef(section.path(), RecordKind.id(entity))));
         }
         return all;
@@ -42,30 +93,30 @@ public final class Entities {
     /** Returns the record of an entity; empty if the level has none of that name. */
     public Optional<Record> find(Record root, EntityRef ref) {
         if (ref.id().isEmpty()) {
-            return structure.single(ref.section()).map(section -> section.get(root));
+            return single(ref.section()).map(section -> section.get(root));
         }
-        return structure.list(ref.section()).flatMap(section -> section.entities(root).stream()
+        return list(ref.section()).flatMap(section -> section.entities(root).stream()
                 .filter(entity -> RecordKind.id(entity).equals(ref.id()))
                 .findFirst());
     }
 
     /** Returns the level with the records of some entities changed; unknown names are ignored. */
-    public Record changed(Record root, Collection<EntityRef> refs, UnaryOperator<Record> change) {
-        Record result = root;
+    public <R extends Record> R changed(R root, Collection<EntityRef> refs, UnaryOperator<Record> change) {
+        R result = root;
         Set<EntityRef> wanted = new HashSet<>(refs);
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : singles) {
             if (wanted.contains(EntityRef.single(single.path())) && single.get(result) != null) {
                 result = single.with(result, change.apply(single.get(result)));
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : lists) {
             result = changedList(result, section, wanted, change);
         }
         return result;
     }
 
-    private static Record changedList(
-            Record root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
+    private static <R extends Record> R changedList(
+            R root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
         if (wanted.stream().noneMatch(ref -> ref.section().equals(section.path()))) {
             return root;
         }
@@ -81,19 +132,19 @@ public final class Entities {
     }
 
     /** Returns the level with an entity at the end of its section, or as its single record. */
-    public Record added(Record root, String sectionPath, Record entity) {
-        Optional<EntitySection> list = structure.list(sectionPath);
+    public <R extends Record> R added(R root, String sectionPath, Record entity) {
+        Optional<EntitySection> list = list(sectionPath);
         if (list.isPresent()) {
             List<Record> entities = new ArrayList<>(list.get().entities(root));
             entities.add(entity);
             return list.get().with(root, entities);
         }
-        return structure.single(sectionPath).orElseThrow().with(root, entity);
+        return single(sectionPath).orElseThrow().with(root, entity);
     }
 
     /** Returns the level with one entity replaced by others in its place. */
-    public Record replaced(Record root, EntityRef ref, List<? extends Record> others) {
-        EntitySection section = structure.list(ref.section()).orElseThrow();
+    public <R extends Record> R replaced(R root, EntityRef ref, List<? extends Record> others) {
+        EntitySection section = list(ref.section()).orElseThrow();
         List<Record> entities = new ArrayList<>();
         for (Record entity : section.entities(root)) {
             if (RecordKind.id(entity).equals(ref.id())) {
@@ -106,17 +157,17 @@ public final class Entities {
     }
 
     /** Returns the level without some entities; single records that must exist stay. */
-    public Record without(Record root, Collection<EntityRef> refs) {
-        Record result = root;
+    public <R extends Record> R without(R root, Collection<EntityRef> refs) {
+        R result = root;
         Set<EntityRef> unwanted = new HashSet<>(refs);
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : singles) {
             if (single.isOptional()
                     && unwanted.contains(EntityRef.single(single.path()))
                     && single.get(result) != null) {
                 result = single.with(result, null);
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : lists) {
             List<Record> left = section.entities(result).stream()
                     .filter(entity -> !unwanted.contains(new EntityRef(section.path(), RecordKind.id(entity))))
                     .toList();
@@ -135,8 +186,8 @@ public final class Entities {
     /** Returns an id that neither an entity of the section has nor {@code taken} contains. */
     public String freshId(Record root, String sectionPath, String wish, Set<String> taken) {
         Set<String> used = new HashSet<>(taken);
-        structure.list(sectionPath).ifPresent(section -> section.entities(root)
-                .forEach(entity -> used.add(RecordKind.id(entity))));
+        list(sectionPath)
+                .ifPresent(section -> section.entities(root).forEach(entity -> used.add(RecordKind.id(entity))));
         if (!used.contains(wish)) {
             return wish;
         }
@@ -149,13 +200,13 @@ public final class Entities {
     }
 
     /** Returns the level with another id of an entity and of all references to it. */
-    public Record renamed(Record root, EntityRef ref, String newId) {
-        Record result = changed(root, List.of(ref), entity -> withId(entity, newId));
+    public <R extends Record> R renamed(R root, EntityRef ref, String newId) {
+        R result = changed(root, List.of(ref), entity -> withId(entity, newId));
         return withReferences(result, ref.section(), id -> id.equals(ref.id()) ? newId : id);
     }
 
     /** Returns a record with another id. */
-    public static Record withId(Record entity, String id) {
+    public static <R extends Record> R withId(R entity, String id) {
         RecordKind kind = RecordKind.of(entity);
         RecordField field =
                 kind.fields().stream().filter(RecordField::isId).findFirst().orElseThrow();
@@ -167,8 +218,8 @@ public final class Entities {
         Set<EntityRef> users = new LinkedHashSet<>();
         for (EntityRef candidate : all(root)) {
             Record entity = find(root, candidate).orElseThrow();
-            boolean isOwner = structure.single(candidate.section()).isPresent()
-                    && structure.lists().stream().anyMatch(list -> list.path().startsWith(candidate.section() + "."));
+            boolean isOwner = single(candidate.section()).isPresent()
+                    && lists.stream().anyMatch(list -> list.path().startsWith(candidate.section() + "."));
             if (!isOwner && references(entity, ref.section()).contains(ref.id())) {
                 users.add(candidate);
             }
@@ -179,7 +230,7 @@ public final class Entities {
     /** Returns the ids of a section's entities that a record refers to, in a set of the caller's. */
     public static Set<String> references(Record entity, String section) {
         Set<String> found = new TreeSet<>();
-        RecordWalk.map(entity, (field, value) -> {
+        RecordKind.mapped(entity, (field, value) -> {
             if (value != null && field.declaration().refersTo().equals(section)) {
                 found.add((String) value);
             }
@@ -189,8 +240,8 @@ public final class Entities {
     }
 
     /** Returns a record with other references to a section's entities; {@code null} for an id drops it. */
-    public static Record withReferences(Record entity, String section, UnaryOperator<String> change) {
-        return RecordWalk.map(
+    public static <R extends Record> R withReferences(R entity, String section, UnaryOperator<String> change) {
+        return RecordKind.mapped(
                 entity,
                 (field, value) -> field.declaration().refersTo().equals(section) && value != null
                         ? change.apply((String) value)

@@ -22,11 +22,11 @@ public record EntitySection(String path, List<RecordField> owners, RecordField l
     }
 
     /** Returns the level with other entities. */
-    public Record with(Record root, List<? extends Record> entities) {
+    public <R extends Record> R with(R root, List<? extends Record> entities) {
         return with(root, 0, List.copyOf(entities));
     }
 
-    private Record with(Record owner, int depth, List<Record> entities) {
+    private <R extends Record> R with(R owner, int depth, List<Record> entities) {
         RecordKind kind = RecordKind.of(owner);
         if (depth == owners.size()) {
             return kind.with(owner, list, entities);

@@ -1,7 +1,9 @@
 package nephele.editor.record;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.NumberRange;
 import nephele.engine.level.Spatial;
 import nephele.engine.level.TextKind;
@@ -10,6 +12,17 @@ import nephele.engine.level.json.WrittenField;
 
 /** A component of a record: its name, kind, limits and defaults. */
 public record RecordField(int index, WrittenField written, FieldKind kind) {
+    /** Symbols of units by the ends of names of components. */
+    private static final Map<String, String> UNITS = Map.of(
+            "MetresPerSecond", "m/s",
+            "PerMetre", "1/m",
+            "Metres", "m",
+            "Degrees", "°",
+            "Kilograms", "kg",
+            "Hours", "h",
+            "Seconds", "s",
+            "Stops", "EV");
+
     static RecordField of(int index, WrittenField written) {
         return new RecordField(index, written, FieldKind.of(written.type(), written.written()));
     }
@@ -82,50 +95,19 @@ public record RecordField(int index, WrittenField written, FieldKind kind) {
         return words.toString();
     }
 
-    private String unitSuffix() {
-        return Unit.of(name()).map(Unit::suffix).orElse("");
-    }
-
     /** Returns the symbol of the unit, such as {@code m}; empty if there is none. */
     public String unit() {
         if (spatial() == Spatial.POINT || spatial() == Spatial.EXTENT || spatial() == Spatial.LENGTH) {
             return "m";
         }
-        return Unit.of(name()).map(Unit::symbol).orElse("");
+        return UNITS.getOrDefault(unitSuffix(), "");
     }
 
-    /** Units that names of components end with. */
-    private enum Unit {
-        METRES_PER_SECOND("MetresPerSecond", "m/s"),
-        PER_METRE("PerMetre", "1/m"),
-        METRES("Metres", "m"),
-        DEGREES("Degrees", "°"),
-        KILOGRAMS("Kilograms", "kg"),
-        HOURS("Hours", "h"),
-        SECONDS("Seconds", "s"),
-        STOPS("Stops", "EV");
-
-        private final String suffix;
-        private final String symbol;
-
-        Unit(String suffix, String symbol) {
-            this.suffix = suffix;
-            this.symbol = symbol;
-        }
-
-        String suffix() {
-            return suffix;
-        }
-
-        String symbol() {
-            return symbol;
-        }
-
-        static java.util.Optional<Unit> of(String name) {
-            return java.util.Arrays.stream(values())
-                    .filter(unit -> name.endsWith(unit.suffix))
-                    .findFirst();
-        }
+    private String unitSuffix() {
+        return UNITS.keySet().stream()
+                .filter(name()::endsWith)
+                .max(Comparator.comparingInt(String::length))
+                .orElse("");
     }
 
     /** Returns the words of a choice, as files have them. */

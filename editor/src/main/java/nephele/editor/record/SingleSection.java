@@ -20,8 +20,9 @@ public record SingleSection(String path, List<RecordField> steps, List<RecordKin
     }
 
     /** Returns the level with another record, or with none if it is {@code null}. */
-    public Record with(Record root, Record value) {
-        return with(root, 0, value);
+    @SuppressWarnings("unchecked") // a record of the root's class is made anew
+    public <R extends Record> R with(R root, Record value) {
+        return (R) with(root, 0, value);
     }
 
     private Record with(Record owner, int depth, Record value) {

@@ -157,8 +157,6 @@ public final class DocumentSaver {
         return SaveText.NOT_SAVED.with(path, AtomicFile.reason(problem));
     }
 
-    /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */
-
     /**
      * Copies what a level at its new place would not find, or find otherwise.
      *
@@ -184,7 +182,7 @@ public final class DocumentSaver {
                 Files.createDirectories(place.toAbsolutePath().getParent());
                 AtomicFile.write(place, from.bytes(id));
             } catch (IOException problem) {
-                return Optional.of(DocumentSaver.message(place, problem));
+                return Optional.of(message(place, problem));
             } catch (AssetException unreadable) {
                 continue;
             }

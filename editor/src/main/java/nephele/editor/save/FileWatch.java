@@ -8,19 +8,23 @@ import java.nio.file.Path;
 import java.nio.file.StandardWatchEventKinds;
 import java.nio.file.WatchKey;
 import java.nio.file.WatchService;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 
 /**
- * Tells when watched files change on disk. Notifications of the system make it look at once; it also looks every second,
- * because network folders and full tables of watches give none. The document's own saves are told, too: {@link
+ * Reports when watched files change on disk. Notifications of the system make it look at once; it also looks every second,
+ * because network folders and full tables of watches give none. The document's own saves are reported, too: {@link
  * DocumentFile#outside} knows them.
  */
 public final class FileWatch implements AutoCloseable {
@@ -29,14 +33,26 @@ public final class FileWatch implements AutoCloseable {
     /** A program that writes a file in parts is waited for until it pauses this long. */
     private static final long QUIET_MILLIS = 100;
 
-    private final WatchedFiles files = new WatchedFiles();
+    private static final Version MISSING = new Version(null, -1, "");
+
+    /** The watched files with what they held when they were read last. */
+    private Map<Path, Version> files = Map.of();
+
     private final Consumer<Set<Path>> changed;
     private final WatchService service;
     private final Map<Path, WatchKey> keys = new HashMap<>();
     private volatile boolean isOpen = true;
     private final Thread thread;
 
-    private FileWatch(Consumer<Set<Path>> changed, WatchService service) {
+    /** A file's content when it was read last; time and size tell cheaply that it has not changed. */
+    private record Version(FileTime modified, long size, String sha256) {
+        boolean isSameAs(BasicFileAttributes now) {
+            return now.lastModifiedTime().equals(modified) && now.size() == size;
+        }
+    }
+
+    /** @param service {@code null} to only look, as where the system has no notifications */
+    FileWatch(Consumer<Set<Path>> changed, WatchService service) {
         this.changed = changed;
         this.service = service;
         thread = new Thread(this::run, "nephele-file-watch");
@@ -78,10 +94,43 @@ public final class FileWatch implements AutoCloseable {
         return files;
     }
 
-    /** Replaces the watched files; what they hold now is no change. */
-    public void watch(Collection<Path> watched) {
-        files.watch(watched);
+    /** Replaces the watched files; what new ones hold now is no change. */
+    public synchronized void watch(Collection<Path> watched) {
+        Map<Path, Version> next = new LinkedHashMap<>();
+        for (Path file : watched) {
+            Path absolute = file.toAbsolutePath().normalize();
+            Version before = files.get(absolute);
+            next.put(absolute, before == null ? read(absolute, MISSING) : before);
+        }
+        files = next;
         register();
+    }
+
+    /** Returns the files whose content has changed since they were read last, or that have come or gone. */
+    synchronized Set<Path> changes() {
+        Set<Path> changes = new TreeSet<>();
+        for (Map.Entry<Path, Version> each : files.entrySet()) {
+            Version now = read(each.getKey(), each.getValue());
+            if (!now.sha256.equals(each.getValue().sha256)) {
+                changes.add(each.getKey());
+            }
+            each.setValue(now);
+        }
+        return changes;
+    }
+
+    private static Version read(Path file, Version before) {
+        try {
+            BasicFileAttributes now = Files.readAttributes(file, BasicFileAttributes.class);
+            if (!now.isRegularFile()) {
+                return MISSING;
+            }
+            return before.isSameAs(now)
+                    ? before
+                    : new Version(now.lastModifiedTime(), now.size(), ContentHash.of(file));
+        } catch (IOException missing) {
+            return MISSING;
+        }
     }
 
     @Override
@@ -102,7 +151,8 @@ public final class FileWatch implements AutoCloseable {
         if (service == null) {
             return;
         }
-        Set<Path> folders = files.folders();
+        Set<Path> folders = new TreeSet<>();
+        files.keySet().forEach(file -> folders.add(file.getParent()));
         keys.entrySet().removeIf(key -> {
             boolean isGone = !folders.contains(key.getKey()) || !key.getValue().isValid();
             if (isGone) {
@@ -133,7 +183,7 @@ public final class FileWatch implements AutoCloseable {
         try {
             while (isOpen) {
                 awaitLook();
-                Set<Path> found = files.changes();
+                Set<Path> found = changes();
                 if (!found.isEmpty() && isOpen) {
                     changed.accept(found);
                 }

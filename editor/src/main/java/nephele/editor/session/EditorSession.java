@@ -108,11 +108,6 @@ public final class EditorSession implements ProvingSubject {
     }
 
     @Override
-    public Optional<Path> levelFile() {
-        return file.path();
-    }
-
-    @Override
     public void panes(PaneLayout layout) {
         panes(before -> layout);
     }

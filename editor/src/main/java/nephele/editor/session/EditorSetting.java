@@ -27,11 +27,11 @@ public final class EditorSetting<T> {
     /** The name of an arrangement of panes; what names there are is the window's affair. */
     public static final EditorSetting<String> PANE_ARRANGEMENT = of("paneArrangement", EntryKind.text(), "");
 
-    /** Places of splitters by name, as shares of their length. */
+    /** Places of splitters by name, as fractions of their length. */
     public static final EditorSetting<Map<String, Double>> SPLITTERS =
-            of("splitters", EntryKind.map(EntryKind.share()), Map.of());
+            of("splitters", EntryKind.map(EntryKind.fraction()), Map.of());
 
-    /** Panels by name that are shown or hidden otherwise than at the first start. */
+    /** Panels by name that are visible or hidden otherwise than at the first start. */
     public static final EditorSetting<Map<String, Boolean>> PANELS =
             of("panels", EntryKind.map(EntryKind.flag()), Map.of());
 

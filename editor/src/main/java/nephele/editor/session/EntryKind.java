@@ -47,7 +47,7 @@ record EntryKind<T>(String expected, Function<JsonElement, Optional<T>> read, Fu
     }
 
     /** Returns a number from 0 to 1. */
-    static EntryKind<Double> share() {
+    static EntryKind<Double> fraction() {
         return new EntryKind<>(
                 "a number from 0 to 1",
                 json -> number(json).filter(number -> number >= 0 && number <= 1),

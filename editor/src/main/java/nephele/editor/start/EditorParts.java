@@ -52,14 +52,22 @@ public final class EditorParts {
      * @param parts receives the name of each part that can be shown, and what opens it
      */
     public static EditorPanel panel(EditorSession session, UserInterface ui, BiConsumer<String, Runnable> parts) {
-        return panel(session, new EditorSurroundings(ui, parts, DialogFrame::new));
+        return panel(session, ui, parts, DialogFrame::new);
     }
 
-    /** Returns the whole editor of a session among what surrounds it. */
-    public static EditorPanel panel(EditorSession session, EditorSurroundings around) {
-        BiConsumer<String, Runnable> parts = around.parts();
+    /**
+     * Returns the whole editor of a session.
+     *
+     * @param parts receives the name of each part that can be shown, and what opens it
+     * @param dialogues returns what shows dialogues over the window of a component
+     */
+    public static EditorPanel panel(
+            EditorSession session,
+            UserInterface ui,
+            BiConsumer<String, Runnable> parts,
+            Function<Component, DialogOpener> dialogues) {
         session.options().material(MaterialLibrary.FIRST);
-        EditorCommands commands = new EditorCommands(session, around.ui(), Actions.ALL);
+        EditorCommands commands = new EditorCommands(session, ui, Actions.ALL);
         AssetPictures pictures = new AssetPictures(session::assets, ForkJoinPool.commonPool());
         JTabbedPane left = new JTabbedPane();
         OutlinerPanel outliner = new OutlinerPanel(
@@ -80,12 +88,15 @@ public final class EditorParts {
                 titles.run();
             }
         });
-        AssetDialog assets = new AssetDialog(session, around.dialogues().apply(left), pictures);
+        AssetDialog assets = new AssetDialog(session, dialogues.apply(left), pictures);
         GuideBar guide = new GuideBar(session);
         EditorSlots slots = new EditorSlots(guide, left, new InspectorPanel(session, assets), bottom, MAIN_ACTIONS);
         EditorPanel panel = new EditorPanel(session, commands, slots);
         panel.closeToo(translation);
-        register(session, panel, around);
+        DialogOpener opener = dialogues.apply(panel);
+        new EditorDialogs(session, ui, panel, opener).register(parts);
+        parts.accept("settings", () -> show(session, panel, opener, SettingsPage.Tab.GENERAL));
+        parts.accept("keys", () -> show(session, panel, opener, SettingsPage.Tab.KEYS));
         parts.accept("guide", guide::start);
         parts.accept("search", () -> {
             left.setSelectedIndex(0);
@@ -112,15 +123,6 @@ public final class EditorParts {
         commands.named("focus").ifPresent(command -> command.run());
     }
 
-    /** Registers each part by its name with what opens it. */
-    private static void register(EditorSession session, EditorPanel panel, EditorSurroundings around) {
-        DialogOpener dialogues = around.dialogues().apply(panel);
-        BiConsumer<String, Runnable> parts = around.parts();
-        new EditorDialogs(session, around.ui(), panel, dialogues).register(parts);
-        parts.accept("settings", () -> show(session, panel, dialogues, SettingsPage.Tab.GENERAL));
-        parts.accept("keys", () -> show(session, panel, dialogues, SettingsPage.Tab.KEYS));
-    }
-
     private static void show(EditorSession session, EditorPanel panel, DialogOpener dialogues, SettingsPage.Tab tab) {
         Path file = EditorFiles.in(UserFolders.ofThisUser()).settings();
         dialogues.open(PageText.SETTINGS.in(session.language()), close -> {
@@ -128,13 +130,4 @@ public final class EditorParts {
             return new DialogFrame.Content(page, page.tabs(), null);
         });
     }
-
-    /**
-     * What an editor's panel is connected with.
-     *
-     * @param parts receives the name of each part that can be shown, and what opens it
-     * @param dialogues returns what shows dialogues over the window of a component
-     */
-    public record EditorSurroundings(
-            UserInterface ui, BiConsumer<String, Runnable> parts, Function<Component, DialogOpener> dialogues) {}
 }

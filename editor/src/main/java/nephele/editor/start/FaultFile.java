@@ -15,7 +15,7 @@ import nephele.host.terminal.CrashReport;
  * edits before it are in the document and its journal.
  */
 final class FaultFile implements Thread.UncaughtExceptionHandler {
-    private static final Words TOLD = Words.of(
+    private static final Words WRITTEN = Words.of(
             "The editor has a fault; your work is kept, but save it. What happened is in %s",
             "O editor tem um defeito; seu trabalho está guardado, mas salve-o. O que houve está em %s",
             "O editor tem um defeito; o teu trabalho está guardado, mas grava-o. O que houve está em %s");
@@ -38,7 +38,7 @@ final class FaultFile implements Thread.UncaughtExceptionHandler {
         var report = new CrashReport(List.of("edit", "thread " + thread.getName()), Instant.now(), fault);
         try {
             AtomicFile.write(file, report.text().getBytes(StandardCharsets.UTF_8));
-            tell.accept(TOLD.with(file));
+            tell.accept(WRITTEN.with(file));
         } catch (IOException noPlace) {
             tell.accept(NOT_WRITTEN.with(fault.toString()));
         }

@@ -9,7 +9,6 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
-import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
 
 /** Runs a script on a level without a display. */
@@ -45,8 +44,8 @@ public final class ScriptedEditing {
     private java.awt.image.BufferedImage picture() {
         WindowLook.apply(session.settings());
         try (EditorPanel panel = EditorParts.panel(session, new ScriptInterface(() -> null), (part, opener) -> {})) {
-            PanelPicture.layOut(panel, SIZE);
-            return PanelPicture.of(panel);
+            panel.layOut(SIZE);
+            return panel.picture();
         }
     }
 }

@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import nephele.editor.action.ActionCall;
 import nephele.editor.action.Actions;
-import nephele.editor.play.PlayEnd;
+import nephele.editor.play.PlayAnswer;
 import nephele.editor.play.PlayText;
 import nephele.editor.play.WarmGame;
 import nephele.editor.save.journal.JournalFolder;
@@ -23,6 +23,7 @@ import nephele.editor.text.Words;
 import nephele.editor.window.Closing;
 import nephele.editor.window.EditorPanel;
 import nephele.editor.window.EditorWindow;
+import nephele.editor.window.SwingQuestions;
 import nephele.editor.window.WindowInterface;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.ProvingWindow;
@@ -49,7 +50,7 @@ public final class WindowedEditing {
         this.session = session;
         this.files = files;
         this.report = report;
-        game = new WarmGame(gameLine, new Told());
+        game = new WarmGame(gameLine, this::follow);
     }
 
     /** Opens the window on the event dispatch thread; returns at once. */
@@ -60,7 +61,7 @@ public final class WindowedEditing {
             WindowInterface ui = new WindowInterface(session);
             EditorPanel panel = EditorParts.panel(session, ui, ui::part);
             ProvingWindow.connect(session, ui, panel);
-            Closing closing = new Closing(session, EditorWindow.question(panel), () -> isSaved(ui));
+            Closing closing = new Closing(session, new SwingQuestions(panel)::ask, () -> isSaved(ui));
             window = new EditorWindow(session, panel, ui, closing, () -> closed(ended));
             work = new WindowFiles(session, panel, window, ui, journals());
             session.playsWith(request -> {
@@ -127,33 +128,18 @@ public final class WindowedEditing {
         }
     }
 
-    /** Tells what happens to the game. */
-    private final class Told implements WarmGame.Listener {
-        @Override
-        public void ready() {
-            // Nothing to tell: it is only sooner next time.
-        }
-
-        @Override
-        public void playing(long millis) {
+    /** Follows the waiting game; that it waits is no news for the user. */
+    private void follow(PlayAnswer answer) {
+        if (answer instanceof PlayAnswer.Playing) {
             tell(PlayText.PLAYING.words());
-        }
-
-        @Override
-        public void baking(int percent) {
-            tell(PlayText.BAKING.with(percent));
-        }
-
-        @Override
-        public void ended(PlayEnd end) {
-            tell(isRecording ? PlayText.ofRecording(end) : PlayText.of(end));
+        } else if (answer instanceof PlayAnswer.Baking baking) {
+            tell(PlayText.BAKING.with(baking.percent()));
+        } else if (answer instanceof PlayAnswer.Failed failed) {
+            tell(Words.same(failed.message()));
+        } else if (answer instanceof PlayAnswer.Ended ended) {
+            tell(isRecording ? PlayText.ofRecording(ended.end()) : PlayText.of(ended.end()));
             // Not every window system gives the keyboard back by itself.
             SwingUtilities.invokeLater(window::takeKeyboard);
-        }
-
-        @Override
-        public void failed(String message) {
-            tell(Words.same(message));
         }
     }
 

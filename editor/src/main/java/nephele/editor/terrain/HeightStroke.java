@@ -14,7 +14,7 @@ import nephele.engine.math.heightfield.SampleRange;
  * and stay within what the map can hold.
  */
 public final class HeightStroke implements TerrainStroke {
-    /** Smoothing takes the mean over a square whose half side is this share of the radius. */
+    /** Smoothing takes the mean over a square whose half side is this fraction of the radius. */
     private static final double MEAN_PER_RADIUS = 0.25;
     /** Means of values over rectangles of samples, from sums over all rectangles that begin at a corner (Crow 1984). */
     private static final class BoxMean {
@@ -171,7 +171,7 @@ public final class HeightStroke implements TerrainStroke {
         BoxMean mean = brush.effect() == Effect.SMOOTH ? mean(part) : null;
         for (int row = part.firstRow(); row <= part.lastRow(); row++) {
             for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {
-                double weight = TerrainBrush.falloff(grid.shareSquared(column, row, x, z, radius));
+                double weight = TerrainBrush.falloff(grid.fractionSquared(column, row, x, z, radius));
                 int at = row * grid.columns() + column;
                 double value = values[at] + change(at, weight, mean == null ? 0 : mean.around(column, row));
                 isAtLimit |= value < 0 || value > HeightMap.FULL_SCALE;

@@ -8,7 +8,6 @@ import nephele.editor.text.EditorRefusal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 
@@ -44,7 +43,7 @@ public final class LayerOrder {
             throws EditorRefusal {
         LayerMap map;
         try {
-            map = assets.decoded(authored.layerMap(), LayerMap.class, LayerMapFile::read);
+            map = assets.decoded(authored.layerMap(), LayerMap.class, LayerMap::read);
         } catch (AssetException unusable) {
             return authored;
         }

@@ -9,7 +9,7 @@ import nephele.engine.level.Terrain;
 import nephele.engine.math.heightfield.SampleRange;
 
 /**
- * A stroke on a layer map. It keeps the share s of each texel that its dabs cover, 1 − ∏ (1 − falloff · strength), so that
+ * A stroke on a layer map. It keeps the fraction s of each texel that its dabs cover, 1 − ∏ (1 − falloff · strength), so that
  * the result does not depend on their order. Of a texel whose weight was a:
  *
  * <ul>
@@ -61,7 +61,8 @@ public final class LayerStroke implements TerrainStroke {
         }
         for (int row = part.firstRow(); row <= part.lastRow(); row++) {
             for (int column = part.firstColumn(); column <= part.lastColumn(); column++) {
-                double fraction = brush.strength() * TerrainBrush.falloff(grid.shareSquared(column, row, x, z, radius));
+                double fraction =
+                        brush.strength() * TerrainBrush.falloff(grid.fractionSquared(column, row, x, z, radius));
                 int at = row * grid.columns() + column;
                 covered[at] = (float) (1 - (1 - covered[at]) * (1 - fraction));
             }

@@ -16,9 +16,7 @@ import nephele.editor.save.NamedAssets;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 
@@ -43,7 +41,7 @@ public final class PaintedMaps {
     /** Ids of maps that are not forgotten, because a picture of them is being drawn. */
     private Set<String> drawn = Set.of();
 
-    private long shown;
+    private long strokeNumber;
 
     /** @param levelFile the level's, empty if it was never saved */
     public PaintedMaps(Supplier<Optional<Path>> levelFile) {
@@ -71,8 +69,8 @@ public final class PaintedMaps {
 
     /** Keeps a map in memory until a few others have been shown; returns its id. */
     synchronized String show(PaintedMap map) {
-        shown++;
-        return remember(FOLDER + "stroke-" + shown + ".png", map);
+        strokeNumber++;
+        return remember(FOLDER + "stroke-" + strokeNumber + ".png", map);
     }
 
     private String remember(String id, PaintedMap map) {
@@ -159,11 +157,11 @@ public final class PaintedMaps {
      */
     record PaintedMap(Object decoded, Supplier<byte[]> file) {
         static PaintedMap of(HeightMap map) {
-            return new PaintedMap(map, () -> HeightMapFile.png(map));
+            return new PaintedMap(map, () -> map.png());
         }
 
         static PaintedMap of(LayerMap map) {
-            return new PaintedMap(map, () -> LayerMapFile.png(map));
+            return new PaintedMap(map, () -> map.png());
         }
     }
 }

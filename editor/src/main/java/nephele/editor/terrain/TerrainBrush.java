@@ -4,12 +4,12 @@ import nephele.editor.text.Words;
 
 /**
  * A round brush for terrains. It works in dabs: a stroke makes one where it begins and one each quarter of the radius
- * along its way. The effect of a dab falls from the middle to the border as (1 − d²)², d being the distance divided by
+ * along its path. The effect of a dab falls from the middle to the border as (1 − d²)², d being the distance divided by
  * the radius.
  *
  * @param radiusMetres horizontal, {@link #LEAST_METRES} to {@link #MOST_METRES}
  * @param strength the effect of a dab in its middle, above 0 and up to 1: raising and lowering, in fifths of the radius;
- *     otherwise the share of the way to the result
+ *     otherwise the fraction of the difference to the result
  * @param layer the index of the layer that painting shows, 0 to {@link #LAST_LAYER}
  */
 public record TerrainBrush(Effect effect, double radiusMetres, double strength, int layer) {
@@ -100,9 +100,9 @@ public record TerrainBrush(Effect effect, double radiusMetres, double strength, 
         return RISE_PER_RADIUS * strength * radiusMetres;
     }
 
-    /** Returns the falloff at a share of the radius, squared. */
-    static double falloff(double shareSquared) {
-        double left = Math.max(0, 1 - shareSquared);
+    /** Returns the falloff at a fraction of the radius, squared. */
+    static double falloff(double fractionSquared) {
+        double left = Math.max(0, 1 - fractionSquared);
         return left * left;
     }
 }

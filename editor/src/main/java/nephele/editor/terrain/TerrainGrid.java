@@ -45,7 +45,7 @@ record TerrainGrid(double leastX, double leastZ, double cellX, double cellZ, int
     }
 
     /** Returns the squared distance of a sample from a place, divided by the square of a radius. */
-    double shareSquared(int column, int row, double x, double z, double radius) {
+    double fractionSquared(int column, int row, double x, double z, double radius) {
         double dx = leastX + column * cellX - x;
         double dz = leastZ + row * cellZ - z;
         return (dx * dx + dz * dz) / (radius * radius);

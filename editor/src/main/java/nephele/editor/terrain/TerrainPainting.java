@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import nephele.editor.document.BackgroundReading;
 import nephele.editor.document.Document;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.terrain.TerrainBrush.Effect;
 import nephele.editor.text.EditorRefusal;
@@ -14,9 +15,7 @@ import nephele.editor.text.Words;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.level.Level;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.terrain.LayerPaint;
 
@@ -86,7 +85,7 @@ public final class TerrainPainting {
     }
 
     private static HeightMap heights(Terrain authored, AssetSource assets) {
-        return assets.decoded(authored.heightMap(), HeightMap.class, HeightMapFile::read);
+        return assets.decoded(authored.heightMap(), HeightMap.class, HeightMap::read);
     }
 
     private static TerrainStroke paint(Terrain authored, AssetSource assets, TerrainBrush with, double x, double z)
@@ -123,8 +122,8 @@ public final class TerrainPainting {
 
     private Snapshot withMap(Snapshot start, String id) {
         EntityRef ref = new EntityRef(SECTION, painted.id());
-        return start.with((Level) document.entities()
-                .changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
+        return start.with(
+                Entities.LEVEL.changed(start.level(), List.of(ref), authored -> stroke.on((Terrain) authored, id)));
     }
 
     /**

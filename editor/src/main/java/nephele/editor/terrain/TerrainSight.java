@@ -46,8 +46,8 @@ public final class TerrainSight {
         double limit = Double.POSITIVE_INFINITY;
         for (StaticShape.HeightGrid grid : grids(level, assets)) {
             HeightField field = grid.field();
-            boolean isShown = !hidden.contains("terrains/" + grid.said().id());
-            if (isShown && field.nearest(ray, limit, sees(field), hit)) {
+            boolean isVisible = !hidden.contains("terrains/" + grid.authored().id());
+            if (isVisible && field.nearest(ray, limit, sees(field), hit)) {
                 limit = hit.distance();
                 nearest = new Hit(level.terrains().get(grid.index()), field, ray.at(limit));
             }

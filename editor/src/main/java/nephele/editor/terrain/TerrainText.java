@@ -1,10 +1,11 @@
 package nephele.editor.terrain;
 
 import java.util.Locale;
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
 
-/** What painting a terrain tells its user. */
-public enum TerrainText {
+/** A text of painting terrains in English, Brazilian and European Portuguese. */
+public enum TerrainText implements Text {
     SAVE_FIRST(
             "Save the level first: strokes on terrains make files in its folder",
             "Salve a fase antes: as pinceladas no terreno criam arquivos na pasta dela",
@@ -47,13 +48,9 @@ public enum TerrainText {
         words = Words.of(english, brazilian, european);
     }
 
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text with its {@code %s} replaced. */
-    public Words with(Object... values) {
-        return words.with(values);
     }
 
     /** Returns a number without zeros at its end. */

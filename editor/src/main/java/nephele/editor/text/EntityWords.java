@@ -1,5 +1,6 @@
 package nephele.editor.text;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,73 +28,104 @@ public final class EntityWords {
         }
     }
 
-    /** @param words {@code null} for those of the kind alone */
-    private record Named(Group group, Words words) {}
+    private static final Map<String, Words> KINDS = Map.ofEntries(
+            word("atmosphere", "Atmosphere", "Atmosfera", "Atmosfera"),
+            word("billboards", "Billboards", "Placas", "Placas"),
+            word("box", "Box", "Caixa", "Caixa"),
+            word("camera", "Camera", "Câmera", "Câmara"),
+            word("capsule", "Capsule", "Cápsula", "Cápsula"),
+            word("cloud", "Cloud", "Nuvem", "Nuvem"),
+            word("constant", "Even", "Uniforme", "Uniforme"),
+            word("emitter", "Particles", "Partículas", "Partículas"),
+            word("exit", "Exit", "Saída", "Saída"),
+            word("fog", "Fog", "Neblina", "Nevoeiro"),
+            word("hint", "Hint", "Dica", "Pista"),
+            word("lightning", "Lightning", "Relâmpagos", "Relâmpagos"),
+            word("gradient", "Gradient", "Gradiente", "Gradiente"),
+            word("material", "Material", "Material", "Material"),
+            word("modelplacement", "Model", "Modelo", "Modelo"),
+            word("observer", "Observer's sphere", "Esfera do observador", "Esfera do observador"),
+            word("par", "Par of the level", "Meta da fase", "Meta do nível"),
+            word("place", "Place", "Lugar", "Lugar"),
+            word("planes", "Solid of planes", "Sólido de planos", "Sólido de planos"),
+            word("playerstart", "Player start", "Início do jogador", "Início do jogador"),
+            word("point", "Point light", "Luz pontual", "Luz pontual"),
+            word("portalgun", "Portal gun", "Arma de portais", "Arma de portais"),
+            word("portalspec", "Portal", "Portal", "Portal"),
+            word("prism", "Prism", "Prisma", "Prisma"),
+            word("skybox", "Sky box", "Caixa de céu", "Caixa de céu"),
+            word("sphere", "Sphere", "Esfera", "Esfera"),
+            word("spot", "Spot light", "Refletor", "Projetor"),
+            word("sun", "Sun", "Sol", "Sol"),
+            word("terrain", "Terrain", "Terreno", "Terreno"),
+            word("wedge", "Wedge", "Cunha", "Cunha"));
 
-    private static final Map<String, Named> KINDS = new LinkedHashMap<>();
+    /** The headings by sections, or by kinds of sections, in the order of the palette. */
+    private static final Map<String, Group> GROUPS = new LinkedHashMap<>();
+    /** Names that a section gives to its kinds. */
+    private static final Map<String, Words> IN_SECTION = new HashMap<>();
+
     private static final Map<String, Words> SECTIONS = new LinkedHashMap<>();
 
     static {
-        kind("player", Group.PLAY, Words.of("Start", "Início", "Início"));
-        kind("exits", Group.PLAY);
-        kind("bodies.box", Group.PLAY, Words.of("Cube", "Cubo", "Cubo"));
-        kind("bodies.sphere", Group.PLAY, Words.of("Ball", "Bola", "Bola"));
-        kind("bodies", Group.PLAY);
-        kind("portals", Group.PLAY);
-        kind("portalGun", Group.PLAY);
-        kind("observer", Group.PLAY);
-        kind("par", Group.PLAY);
-        kind("landmark", Group.PLAY, Words.of("Landmark", "Marco", "Marco"));
-        kind("hints", Group.PLAY);
-        kind("lights", Group.LIGHT);
-        kind("environment.sun", Group.LIGHT);
-        kind("emitters", Group.SCENE);
-        kind("billboards", Group.SCENE);
-        kind("environment.clouds", Group.SKY);
-        kind("environment.sky", Group.SKY);
-        kind("environment.fog", Group.SKY);
-        kind("environment.lightning", Group.SKY);
-        kind("terrains", Group.SCENE);
-        kind("models", Group.SCENE);
-        kind("cameras", Group.SCENE);
-        kind("materials", Group.SCENE);
-        kind("solids", Group.SOLIDS);
+        palette("player", Group.PLAY, Words.of("Start", "Início", "Início"));
+        palette("exits", Group.PLAY);
+        palette("bodies.box", Group.PLAY, Words.of("Cube", "Cubo", "Cubo"));
+        palette("bodies.sphere", Group.PLAY, Words.of("Ball", "Bola", "Bola"));
+        palette("bodies", Group.PLAY);
+        palette("portals", Group.PLAY);
+        palette("portalGun", Group.PLAY);
+        palette("observer", Group.PLAY);
+        palette("par", Group.PLAY);
+        palette("landmark", Group.PLAY, Words.of("Landmark", "Marco", "Marco"));
+        palette("hints", Group.PLAY);
+        palette("lights", Group.LIGHT);
+        palette("environment.sun", Group.LIGHT);
+        palette("emitters", Group.SCENE);
+        palette("billboards", Group.SCENE);
+        palette("environment.clouds", Group.SKY);
+        palette("environment.sky", Group.SKY);
+        palette("environment.fog", Group.SKY);
+        palette("environment.lightning", Group.SKY);
+        palette("terrains", Group.SCENE);
+        palette("models", Group.SCENE);
+        palette("cameras", Group.SCENE);
+        palette("materials", Group.SCENE);
+        palette("solids", Group.SOLIDS);
         SECTIONS.put("solids", Words.of("Brushes", "Blocos", "Blocos"));
         SECTIONS.put("player", Words.of("Start", "Início", "Início"));
     }
 
     private EntityWords() {}
 
-    private static void kind(String key, Group group) {
-        kind(key, group, null);
+    private static void palette(String key, Group group) {
+        GROUPS.put(key, group);
     }
 
-    private static void kind(String key, Group group, Words words) {
-        KINDS.put(key, new Named(group, words));
+    private static void palette(String key, Group group, Words words) {
+        GROUPS.put(key, group);
+        IN_SECTION.put(key, words);
     }
 
-    private static Named find(String section, String kind) {
-        Named named = KINDS.get(section + "." + kind);
-        return named == null ? KINDS.get(section) : named;
+    private static <T> Optional<T> find(Map<String, T> all, String section, String kind) {
+        return Optional.ofNullable(all.getOrDefault(section + "." + kind, all.get(section)));
     }
 
     /** Returns the name of a kind of entity of a section, such as "Cube" for {@code bodies}, {@code box}. */
     public static Words ofKind(String section, String kind) {
-        Named named = find(section, kind);
-        return named == null || named.words() == null ? KindWords.of(kind) : named.words();
+        return find(IN_SECTION, section, kind).orElseGet(() -> ofKind(kind));
     }
 
     /** Returns the heading under which the palette offers a kind. */
     public static Group group(String section, String kind) {
-        Named named = find(section, kind);
-        return named == null ? Group.OTHER : named.group();
+        return find(GROUPS, section, kind).orElse(Group.OTHER);
     }
 
     /** Returns the place of a kind in the order of the palette. */
     public static int rank(String section, String kind) {
-        List<String> order = List.copyOf(KINDS.keySet());
+        List<String> order = List.copyOf(GROUPS.keySet());
         String key = section + "." + kind;
-        int rank = order.indexOf(KINDS.containsKey(key) ? key : section);
+        int rank = order.indexOf(GROUPS.containsKey(key) ? key : section);
         return rank < 0 ? order.size() : rank;
     }
 
@@ -103,5 +135,19 @@ public final class EntityWords {
         return Optional.ofNullable(SECTIONS.get(path))
                 .or(() -> FieldWords.known(last))
                 .orElseGet(() -> Words.same(FieldWords.sentence(last)));
+    }
+
+    private static Map.Entry<String, Words> word(String name, String english, String brazilian, String european) {
+        return Map.entry(name, Words.of(english, brazilian, european));
+    }
+
+    /** Returns the words of a kind of records, whatever its section. */
+    public static Words ofKind(String kind) {
+        return knownKind(kind).orElseGet(() -> Words.same(FieldWords.sentence(kind)));
+    }
+
+    /** Returns the words of a kind; empty for an unknown one. */
+    public static Optional<Words> knownKind(String kind) {
+        return Optional.ofNullable(KINDS.get(kind));
     }
 }

@@ -5,8 +5,10 @@ import static java.util.Map.entry;
 import java.util.Map;
 import java.util.Optional;
 import nephele.editor.record.RecordField;
+import nephele.engine.level.Exposure;
+import nephele.engine.level.json.WordFormats;
 
-/** The names of record components in words. A component that has none here is named by its English identifier. */
+/** The names of record components and of their constants in words; one that has none here is named as in files. */
 public final class FieldWords {
     private static final Map<String, Words> ALL = Map.ofEntries(
             word("afterSeconds", "Offered after", "Oferecida após", "Oferecida após"),
@@ -204,6 +206,44 @@ public final class FieldWords {
             word("z", "Along z", "Ao longo de z", "Ao longo de z"),
             word("zenith", "Zenith", "Zênite", "Zénite"));
 
+    private static final Map<String, Words> CHOICES = Map.ofEntries(
+            word("arch", "Arch", "Arco", "Arco"),
+            word("auto", "Automatic", "Automático", "Automático"),
+            word("billboard", "Billboards", "Painéis voltados à câmera", "Painéis voltados à câmara"),
+            word("broken", "Broken clouds", "Muitas nuvens", "Muitas nuvens"),
+            word("cirrus", "Cirrus", "Cirros", "Cirros"),
+            word("clear", "Clear", "Céu limpo", "Céu limpo"),
+            word("clip", "Clipped", "Cortada", "Cortada"),
+            word("cross", "Cross", "Cruz", "Cruz"),
+            word("cumulonimbus", "Cumulonimbus", "Cumulonimbo", "Cumulonimbo"),
+            word("cumulus", "Cumulus", "Cúmulo", "Cúmulo"),
+            word("ellipse", "Ellipse", "Elipse", "Elipse"),
+            word("explosion", "Explosion", "Explosão", "Explosão"),
+            word("face", "Along the face", "Ao longo da face", "Ao longo da face"),
+            word("faces", "Six pictures", "Seis imagens", "Seis imagens"),
+            word("few", "Few clouds", "Poucas nuvens", "Poucas nuvens"),
+            word("filmic", "Filmic", "Fílmica", "Fílmica"),
+            word("fire", "Fire", "Fogo", "Fogo"),
+            word("opengl", "OpenGL cube", "Cubo do OpenGL", "Cubo do OpenGL"),
+            word("overcast", "Overcast", "Encoberto", "Encoberto"),
+            word("particles", "Particles", "Partículas", "Partículas"),
+            word("procedural", "Procedural noise", "Ruído procedural", "Ruído procedural"),
+            word("quake2", "Quake II", "Quake II", "Quake II"),
+            word("quads", "Squares of the report", "Quadrados do relatório", "Quadrados do relatório"),
+            word("rain", "Rain", "Chuva", "Chuva"),
+            word("rectangle", "Rectangle", "Retângulo", "Retângulo"),
+            word("scattered", "Scattered clouds", "Nuvens esparsas", "Nuvens dispersas"),
+            word("skybox", "Sky box", "Caixa de céu", "Caixa de céu"),
+            word("skyplane", "Sky planes", "Planos de céu", "Planos de céu"),
+            word("smoke", "Smoke", "Fumaça", "Fumo"),
+            word("snow", "Snow", "Neve", "Neve"),
+            word("sparks", "Sparks", "Faíscas", "Faíscas"),
+            word("storm", "Storm", "Tempestade", "Tempestade"),
+            word("stratus", "Stratus", "Estrato", "Estrato"),
+            word("terragen", "Terragen", "Terragen", "Terragen"),
+            word("volume", "Volume", "Volume", "Volume"),
+            word("world", "Along the world's axes", "Ao longo dos eixos do mundo", "Ao longo dos eixos do mundo"));
+
     private FieldWords() {}
 
     private static Map.Entry<String, Words> word(String name, String english, String brazilian, String european) {
@@ -218,6 +258,19 @@ public final class FieldWords {
     /** Returns the words of a component's name; empty for an unknown one. */
     public static Optional<Words> known(String name) {
         return Optional.ofNullable(ALL.get(name));
+    }
+
+    /** Returns the word that files have for a constant or a key of a table. */
+    public static String choiceInFiles(Object value) {
+        return value instanceof Enum<?> ? WordFormats.Choice.word(value) : String.valueOf(value);
+    }
+
+    /** Returns the words that a designer reads for a value: those of files for a key, a number, and a constant without a name here. */
+    public static Words choice(Object value) {
+        Words inFiles = Words.same(choiceInFiles(value));
+        return value instanceof Enum<?> || value instanceof Exposure
+                ? CHOICES.getOrDefault(choiceInFiles(value), inFiles)
+                : inFiles;
     }
 
     static String sentence(String words) {

@@ -51,7 +51,7 @@ public final class FacesUnderPointer {
     }
 
     private static Pointer placed(Pointer p, double x, double y) {
-        return new Pointer(p.kind(), p.camera(), p.size(), x, y, p.button(), p.modifiers(), p.clicks());
+        return new Pointer(p.kind(), p.camera(), p.size(), x, y, p.modifiers(), p.clicks());
     }
 
     /** Returns the record of a face's solid. */

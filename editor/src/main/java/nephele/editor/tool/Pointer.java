@@ -17,26 +17,11 @@ import nephele.engine.math.Vec3;
  * @param clicks 2 for a double click
  */
 public record Pointer(
-        PaneKind kind,
-        PaneCamera camera,
-        PaneSize size,
-        double x,
-        double y,
-        Button button,
-        Set<Modifier> modifiers,
-        int clicks) {
+        PaneKind kind, PaneCamera camera, PaneSize size, double x, double y, Set<Modifier> modifiers, int clicks) {
     /** The greatest distance of the pointer from a handle or line that it picks, in pixels. */
     public static final double REACH_PIXELS = 8;
 
     private static final double GRAZING = 1e-3;
-
-    /** A button of the mouse; navigation takes the others before a tool sees them. */
-    public enum Button {
-        NONE,
-        PRIMARY,
-        SECONDARY,
-        MIDDLE
-    }
 
     /** A key that is held. */
     public enum Modifier {

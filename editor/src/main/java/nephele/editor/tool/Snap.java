@@ -96,10 +96,11 @@ public final class Snap {
                 continue;
             }
             for (Vec3 vertex : brush.shape().vertices()) {
-                Optional<PanePoint> seen = pointer.camera().project(vertex, pointer.size());
-                double pixels = seen.map(p -> Math.hypot(p.x() - pointer.x(), p.y() - pointer.y()))
+                Optional<PanePoint> projected = pointer.camera().project(vertex, pointer.size());
+                double pixels = projected
+                        .map(p -> Math.hypot(p.x() - pointer.x(), p.y() - pointer.y()))
                         .orElse(Double.POSITIVE_INFINITY);
-                double depth = seen.map(PanePoint::depthMetres).orElse(Double.POSITIVE_INFINITY);
+                double depth = projected.map(PanePoint::depthMetres).orElse(Double.POSITIVE_INFINITY);
                 boolean isSamePixel = Math.abs(pixels - bestPixels) < SAME_PIXEL;
                 if (isSamePixel ? depth < bestDepth : pixels < bestPixels) {
                     best = vertex;

@@ -8,6 +8,7 @@ import nephele.editor.document.EntityBounds;
 import nephele.editor.document.LevelShapes;
 import nephele.editor.document.Picker;
 import nephele.editor.document.Snapshot;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.tool.ToolOptions.Snapping;
 import nephele.engine.level.Brush;
@@ -74,8 +75,7 @@ public final class SnappedMove {
     private Optional<Vec3> own() {
         Vec3 nearest = null;
         for (EntityRef ref : start.selection().entities()) {
-            Optional<Brush> brush = context.document()
-                    .entities()
+            Optional<Brush> brush = Entities.LEVEL
                     .find(start.level(), ref)
                     .filter(Solid.class::isInstance)
                     .flatMap(solid -> LevelShapes.brushOf((Solid) solid));

@@ -99,6 +99,6 @@ public final class ToolContext {
     /** Returns a picker of what is shown. */
     public Picker picker() {
         Snapshot now = document.now();
-        return new Picker(now.level(), shapes(), document.entities());
+        return new Picker(now.level(), shapes());
     }
 }

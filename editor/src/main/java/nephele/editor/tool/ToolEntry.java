@@ -8,7 +8,5 @@ import nephele.editor.text.Words;
  *
  * @param id its name in scripts and settings
  * @param key default key, a letter or digit; empty for none
- * @param icon name of the drawn symbol
  */
-public record ToolEntry(
-        String id, Words title, Words description, String key, String icon, Function<ToolContext, Tool> make) {}
+public record ToolEntry(String id, Words title, Words description, String key, Function<ToolContext, Tool> make) {}

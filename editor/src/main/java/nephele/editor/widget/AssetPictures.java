@@ -36,45 +36,35 @@ public final class AssetPictures {
 
     /** Returns the picture of an asset, which appears when it has been read. */
     public Icon icon(String assetId, int sidePoints) {
-        return new Shown(assetId, sidePoints);
-    }
+        return new Icon() {
+            @Override
+            public void paintIcon(Component component, Graphics graphics, int x, int y) {
+                find(assetId, component).ifPresent(picture -> {
+                    Graphics2D g = (Graphics2D) graphics.create();
+                    g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+                    g.drawImage(picture, x, y, getIconWidth(), getIconHeight(), null);
+                    g.dispose();
+                });
+            }
 
-    private final class Shown implements Icon {
-        private final String assetId;
-        private final int sidePoints;
+            @Override
+            public int getIconWidth() {
+                return UIScale.scale(sidePoints);
+            }
 
-        Shown(String assetId, int sidePoints) {
-            this.assetId = assetId;
-            this.sidePoints = sidePoints;
-        }
-
-        @Override
-        public void paintIcon(Component component, Graphics graphics, int x, int y) {
-            find(assetId, component).ifPresent(picture -> {
-                Graphics2D g = (Graphics2D) graphics.create();
-                g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-                g.drawImage(picture, x, y, getIconWidth(), getIconHeight(), null);
-                g.dispose();
-            });
-        }
-
-        @Override
-        public int getIconWidth() {
-            return UIScale.scale(sidePoints);
-        }
-
-        @Override
-        public int getIconHeight() {
-            return getIconWidth();
-        }
+            @Override
+            public int getIconHeight() {
+                return getIconWidth();
+            }
+        };
     }
 
     /**
      * Returns the picture of an asset, opaque and square; empty while it is read.
      *
-     * @param shown its parent is repainted when the picture has been read
+     * @param component its parent is repainted when the picture has been read
      */
-    public Optional<BufferedImage> find(String assetId, Component shown) {
+    public Optional<BufferedImage> find(String assetId, Component component) {
         AssetSource now = assets.get();
         if (source != now) {
             source = now;
@@ -82,7 +72,7 @@ public final class AssetPictures {
         }
         BufferedImage known = pictures.putIfAbsent(assetId, NONE);
         if (known == null) {
-            Component parent = shown.getParent() == null ? shown : shown.getParent();
+            Component parent = component.getParent() == null ? component : component.getParent();
             background.execute(() -> {
                 BufferedImage read = read(now, assetId);
                 EventQueue.invokeLater(() -> {

@@ -8,8 +8,8 @@ import javax.swing.Icon;
 public final class EntityIcons {
     private static final int SIDE_POINTS = 16;
 
-    /** By section and kind, or by section alone, in the notation of {@link SymbolDrawing}. */
-    private static final Map<String, String> DRAWINGS = SymbolDrawing.table(
+    /** By section and kind, or by section alone, in the notation of {@link Symbol}. */
+    private static final Map<String, String> DRAWINGS = Symbol.table(
             """
             player                   o 12,5.5,3|6.5,21 6.5,14 9,11 15,11 17.5,14 17.5,21 z
             observer                 o 12,12,5.2|*o 12,12,1.8|3,7.5 3,3 7.5,3|16.5,3 21,3 21,7.5|21,16.5 21,21 16.5,21|\
@@ -54,13 +54,13 @@ public final class EntityIcons {
 
     /** Returns the symbol of a kind of entity of a section, both as files have them. */
     public static Icon of(String section, String kind) {
-        return SymbolDrawing.icon(drawing(section, kind).orElse(DRAWINGS.get("other")), SIDE_POINTS);
+        return Symbol.of(drawing(section, kind).orElse(DRAWINGS.get("other")), SIDE_POINTS);
     }
 
     /** Returns the drawing of a kind, empty for a kind without one. */
     static Optional<String> drawing(String section, String kind) {
         String ofKind = DRAWINGS.get(section + "." + kind);
-        String shape = section.equals("solids") ? OptionDrawings.ALL.get("shape-" + solidShape(kind)) : null;
+        String shape = section.equals("solids") ? ToolIcons.shapeDrawing(solidShape(kind)) : null;
         return Optional.ofNullable(ofKind != null ? ofKind : shape != null ? shape : DRAWINGS.get(section));
     }
 
@@ -70,6 +70,6 @@ public final class EntityIcons {
 
     /** Returns the symbol of a shape of brushes, such as {@code stairs}. */
     public static Icon ofShape(String shape) {
-        return SymbolDrawing.icon(OptionDrawings.ALL.get("shape-" + shape), SIDE_POINTS);
+        return Symbol.of(ToolIcons.shapeDrawing(shape), SIDE_POINTS);
     }
 }

@@ -22,8 +22,7 @@ record CommandButton(EditorCommand command, AbstractButton button) {
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setToolTipText(title + key);
         button.getAccessibleContext().setAccessibleName(title);
-        button.getAccessibleContext()
-                .setAccessibleDescription(command.description().in(language));
+        button.getAccessibleContext().setAccessibleDescription(command.title().in(language));
         button.addActionListener(event -> command.run());
         return new CommandButton(command, button);
     }

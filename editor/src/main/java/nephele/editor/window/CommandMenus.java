@@ -5,6 +5,7 @@ import java.util.List;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
@@ -17,19 +18,6 @@ import nephele.engine.level.Language;
 
 /** Makes the menu bar from the commands; a menu without commands is left out. */
 final class CommandMenus {
-    /**
-     * An item of a menu that shows its key but does not react to it: {@code EditorKeys} finds commands by keys, so that a
-     * letter typed into a text field starts none.
-     */
-    private static final class CommandMenuItem extends JCheckBoxMenuItem {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean isPressed) {
-            return false;
-        }
-    }
-
     private CommandMenus() {}
 
     /** Fills a menu bar anew. */
@@ -69,8 +57,19 @@ final class CommandMenus {
         return made;
     }
 
-    private static CommandMenuItem item(EditorCommand command, EditorKeys keys, Language language) {
-        CommandMenuItem item = new CommandMenuItem();
+    private static JMenuItem item(EditorCommand command, EditorKeys keys, Language language) {
+        JMenuItem item = new JCheckBoxMenuItem() {
+            private static final long serialVersionUID = 1;
+
+            /**
+             * Shows the key but does not react to it: {@code EditorKeys} finds commands by keys, so that a letter typed
+             * into a text field starts none.
+             */
+            @Override
+            protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean isPressed) {
+                return false;
+            }
+        };
         item.setText(command.title().in(language));
         item.setName(command.id());
         keys.of(command.id()).stream().findFirst().map(KeyText::stroke).ifPresent(item::setAccelerator);

@@ -21,7 +21,7 @@ import nephele.engine.level.Language;
 final class CommandToolbar extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private final transient List<CommandButton> shown = new ArrayList<>();
+    private final transient List<CommandButton> buttons = new ArrayList<>();
 
     CommandToolbar() {
         super(new WrappingRow());
@@ -31,12 +31,12 @@ final class CommandToolbar extends JPanel {
     /** Fills the toolbar anew. */
     void fill(EditorCommands commands, List<String> mainActions, EditorKeys keys, Language language) {
         removeAll();
-        shown.clear();
+        buttons.clear();
         getAccessibleContext().setAccessibleName(WindowText.TOOLS.in(language));
         for (String id : mainActions) {
             commands.named(id).ifPresent(command -> add(command, new JButton(), keys, language));
         }
-        if (!shown.isEmpty()) {
+        if (!buttons.isEmpty()) {
             add(separator());
         }
         commands.all().stream()
@@ -55,13 +55,13 @@ final class CommandToolbar extends JPanel {
     }
 
     private void add(EditorCommand command, AbstractButton button, EditorKeys keys, Language language) {
-        shown.add(CommandButton.of(command, button, keys, language));
+        buttons.add(CommandButton.of(command, button, keys, language));
         button.addActionListener(event -> refresh());
         add(button);
     }
 
     /** Shows what is possible and which tool is in use. */
     void refresh() {
-        shown.forEach(CommandButton::refresh);
+        buttons.forEach(CommandButton::refresh);
     }
 }

@@ -3,12 +3,14 @@ package nephele.editor.window;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JMenuBar;
@@ -21,7 +23,6 @@ import nephele.editor.session.EditorSetting;
 import nephele.editor.session.SessionChange;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.ViewportPanel;
-import nephele.editor.window.viewport.ViewportPanel.Told;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 
@@ -37,7 +38,6 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
     private final OptionBar options;
     private final StatusBar status;
     private final ViewportPanel viewport;
-    private final SlotLayout middle;
     private final transient List<Registration> registrations = new ArrayList<>();
     private transient EditorKeys keys;
 
@@ -50,8 +50,9 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         session.background().runOn(new WaitingLoop(() -> session.status(WindowText.READING.words())));
         options = new OptionBar(session, commands);
         status = new StatusBar(session);
-        viewport = new ViewportPanel(session, new Told(this::pointed, line -> session.status(Words.same(line))));
-        middle = new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
+        viewport = new ViewportPanel(session, this::pointed, line -> session.status(Words.same(line)));
+        SlotLayout middle =
+                new SlotLayout(under(slots.top()), slots, session.settings().get(EditorSetting.SPLITTERS));
         JPanel top = new JPanel(new BorderLayout());
         top.add(menus, BorderLayout.PAGE_START);
         top.add(toolbar, BorderLayout.CENTER);
@@ -119,11 +120,6 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         return viewport;
     }
 
-    /** Returns the places of the splitters by name, for {@link EditorSetting#SPLITTERS}. */
-    public Map<String, Double> splitters() {
-        return middle.shares();
-    }
-
     /**
      * Takes a key that was pressed anywhere in the window: for the viewport's drag or flight, or for a command.
      *
@@ -139,6 +135,53 @@ public final class EditorPanel extends JPanel implements AutoCloseable {
         Optional<String> found = keys.find(event);
         found.flatMap(commands::named).ifPresent(command -> command.run());
         return found.isPresent();
+    }
+
+    /** Lays this out at a size; without a display nothing else does. */
+    public void layOut(Dimension size) {
+        setSize(size);
+        // The second pass knows the widths that the first one gave, the third the splitters that follow from them.
+        for (int pass = 0; pass < 3; pass++) {
+            invalidate(this);
+            layOut(this);
+        }
+    }
+
+    private static void invalidate(Container container) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                invalidate(inner);
+            }
+        }
+        container.invalidate();
+    }
+
+    private static void layOut(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                layOut(inner);
+            }
+        }
+    }
+
+    /** Paints this, laid out before, after the viewport was drawn with all edits taken over. */
+    public BufferedImage picture() {
+        viewport.picture();
+        return pictureAsShown();
+    }
+
+    /** Paints this as it is shown: the viewport with its last picture, which waits for nothing. */
+    BufferedImage pictureAsShown() {
+        BufferedImage picture =
+                new BufferedImage(Math.max(1, getWidth()), Math.max(1, getHeight()), BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = picture.createGraphics();
+        try {
+            printAll(graphics);
+        } finally {
+            graphics.dispose();
+        }
+        return picture;
     }
 
     /** Closes a registration together with the panel. */

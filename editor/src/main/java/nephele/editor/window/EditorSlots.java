@@ -13,9 +13,4 @@ import javax.swing.JComponent;
  * @param mainActions ids of the actions in the toolbar, in order; those that do not exist are left out
  */
 public record EditorSlots(
-        JComponent top, JComponent left, JComponent right, JComponent bottom, List<String> mainActions) {
-    /** Returns empty slots. */
-    public static EditorSlots none() {
-        return new EditorSlots(null, null, null, null, List.of());
-    }
-}
+        JComponent top, JComponent left, JComponent right, JComponent bottom, List<String> mainActions) {}

@@ -4,13 +4,19 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
+import javax.swing.text.JTextComponent;
 import nephele.editor.document.Registration;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSettings;
@@ -24,7 +30,7 @@ public final class EditorWindow extends JFrame {
     private final EditorPanel panel;
     private final transient Closing closing;
     private final transient Runnable closed;
-    private final transient WindowKeys keys;
+    private final transient KeyEventDispatcher keys = this::sendKey;
     private final transient Registration registration;
     private transient EditorSettings look;
 
@@ -40,7 +46,6 @@ public final class EditorWindow extends JFrame {
         this.closing = closing;
         this.closed = closed;
         look = session.settings();
-        keys = new WindowKeys(this, panel);
         ui.attach(this);
         add(panel);
         setSize(fitting(1280, 800));
@@ -66,11 +71,6 @@ public final class EditorWindow extends JFrame {
                 Math.min(UIScale.scale(width), screen.width), Math.min(UIScale.scale(height), screen.height));
     }
 
-    /** Returns the question of a window about unsaved changes. */
-    public static Closing.CloseQuestion question(Component owner) {
-        return new SwingQuestions(owner);
-    }
-
     private void follow(SessionChange change) {
         if (change == SessionChange.SETTINGS && WindowLook.differs(look, session.settings())) {
             look = session.settings();
@@ -81,6 +81,35 @@ public final class EditorWindow extends JFrame {
         if (!title.equals(getTitle())) {
             setTitle(title);
         }
+    }
+
+    /** Sends a key of this window to its editor, unless the component that has the focus needs it itself. */
+    private boolean sendKey(KeyEvent event) {
+        Component focus = event.getComponent();
+        boolean isElsewhere = focus == null
+                || focus != this && SwingUtilities.getWindowAncestor(focus) != this
+                || MenuSelectionManager.defaultManager().getSelectedPath().length > 0;
+        return !isElsewhere && !belongsTo(focus, event) && panel.key(event);
+    }
+
+    /** Returns true if a component has a use for a key of its own. */
+    static boolean belongsTo(Component focus, KeyEvent event) {
+        boolean isPlain = !event.isControlDown() && !event.isAltDown() && !event.isMetaDown();
+        boolean isFunction = event.getKeyCode() >= KeyEvent.VK_F1 && event.getKeyCode() <= KeyEvent.VK_F12;
+        if (focus instanceof JTextComponent && isPlain && !isFunction) {
+            return true;
+        }
+        boolean mayBind = focus instanceof JTextComponent || isPlain;
+        return mayBind && focus instanceof JComponent component && isBound(component, event);
+    }
+
+    private static boolean isBound(JComponent component, KeyEvent event) {
+        KeyStroke stroke = KeyStroke.getKeyStrokeForEvent(event);
+        return component.getInputMap(JComponent.WHEN_FOCUSED).get(stroke) != null
+                || component
+                                .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                                .get(stroke)
+                        != null;
     }
 
     /** Comes to the front, with the keyboard. */

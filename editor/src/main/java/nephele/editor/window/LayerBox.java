@@ -1,16 +1,14 @@
 package nephele.editor.window;
 
-import java.awt.Component;
 import java.util.List;
 import java.util.stream.IntStream;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
-import javax.swing.JList;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.terrain.LayerChoice;
 import nephele.editor.terrain.TerrainBrush;
 import nephele.editor.terrain.TerrainBrush.Effect;
+import nephele.editor.widget.WordCell;
 
 /** The choice of the layer that the terrain tool paints; a choice also begins painting. */
 final class LayerBox extends JComboBox<Integer> {
@@ -23,7 +21,7 @@ final class LayerBox extends JComboBox<Integer> {
     LayerBox(EditorSession session) {
         this.session = session;
         setName("terrain-layers");
-        setRenderer(new LayerCell());
+        setRenderer(new WordCell<Integer>(layer -> layer < names.size() ? names.get(layer) : ""));
         addActionListener(event -> choose());
     }
 
@@ -54,16 +52,5 @@ final class LayerBox extends JComboBox<Integer> {
         }
         setSelectedIndex(chosen < now.size() ? chosen : -1);
         isFilling = false;
-    }
-
-    private final class LayerCell extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text = value instanceof Integer layer && layer < names.size() ? names.get(layer) : "";
-            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
-        }
     }
 }

@@ -1,7 +1,6 @@
 package nephele.editor.window;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,10 +8,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.JToggleButton;
@@ -23,22 +20,13 @@ import nephele.editor.action.EditorKeys;
 import nephele.editor.document.Grid;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.session.EditorSession;
+import nephele.editor.widget.WordCell;
 import nephele.engine.level.Language;
 
 /** The bar below the toolbar: how the active pane looks, panes, snapping, grid, and the options of the tool in use. */
 final class OptionBar extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private static final class StepCell extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text = value instanceof Double metres ? NumberExpression.text(metres) + " m" : "";
-            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
-        }
-    }
     /** Groups of the view, in order; the step of the grid is chosen between the last two. */
     private static final List<List<String>> VIEW = List.of(
             List.of("lit", "unlit", "portalable", "collision", "wireframe"),
@@ -102,12 +90,12 @@ final class OptionBar extends JPanel {
 
     private final transient EditorSession session;
     private final transient EditorCommands commands;
-    private final transient List<CommandButton> shown = new ArrayList<>();
+    private final transient List<CommandButton> buttons = new ArrayList<>();
     private final JComboBox<Double> grid = new JComboBox<>();
     private final LayerBox layers;
     private transient EditorKeys keys;
-    private String shownTool = "";
-    private boolean isLayersShown;
+    private String filledTool = "";
+    private boolean hasLayers;
 
     OptionBar(EditorSession session, EditorCommands commands) {
         super(new WrappingRow());
@@ -117,7 +105,7 @@ final class OptionBar extends JPanel {
         for (double metres = Grid.FINEST_METRES; metres <= Grid.COARSEST_METRES; metres *= 2) {
             grid.addItem(metres);
         }
-        grid.setRenderer(new StepCell());
+        grid.setRenderer(new WordCell<Double>(metres -> NumberExpression.text(metres) + " m"));
         // The widest text, "0.125 m", and the arrow.
         grid.setPrototypeDisplayValue(Grid.FINEST_METRES);
         layers = new LayerBox(session);
@@ -137,9 +125,9 @@ final class OptionBar extends JPanel {
 
     private void fill() {
         removeAll();
-        shown.clear();
+        buttons.clear();
         Language language = session.language();
-        shownTool = session.toolEntry().id();
+        filledTool = session.toolEntry().id();
         getAccessibleContext().setAccessibleName(WindowText.OPTIONS.in(language));
         for (List<String> group : VIEW) {
             group(group);
@@ -149,12 +137,12 @@ final class OptionBar extends JPanel {
         grid.getAccessibleContext().setAccessibleName(WindowText.GRID_STEP.in(language));
         grid.updateUI();
         add(grid);
-        if (!of(shownTool).isEmpty()) {
+        if (!of(filledTool).isEmpty()) {
             separator();
-            group(of(shownTool));
+            group(of(filledTool));
         }
-        isLayersShown = LayerBox.isOffered(session);
-        if (isLayersShown) {
+        hasLayers = LayerBox.isOffered(session);
+        if (hasLayers) {
             layers.setToolTipText(WindowText.LAYER_TO_PAINT.in(language));
             layers.getAccessibleContext().setAccessibleName(WindowText.LAYER_TO_PAINT.in(language));
             layers.updateUI();
@@ -174,7 +162,7 @@ final class OptionBar extends JPanel {
         CommandButton made = CommandButton.of(command, button, keys, session.language());
         button.addActionListener(event -> refresh());
         add(button);
-        shown.add(made);
+        buttons.add(made);
     }
 
     private void separator() {
@@ -185,14 +173,14 @@ final class OptionBar extends JPanel {
 
     /** Shows what holds now; another tool brings its own options. */
     void refresh() {
-        boolean isSame = shownTool.equals(session.toolEntry().id()) && isLayersShown == LayerBox.isOffered(session);
+        boolean isSame = filledTool.equals(session.toolEntry().id()) && hasLayers == LayerBox.isOffered(session);
         if (keys != null && !isSame) {
             fill();
             return;
         }
-        shown.forEach(CommandButton::refresh);
+        buttons.forEach(CommandButton::refresh);
         grid.setSelectedItem(session.grid().stepMetres());
-        if (isLayersShown) {
+        if (hasLayers) {
             layers.refresh();
         }
     }

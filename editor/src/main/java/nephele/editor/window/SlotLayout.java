@@ -11,32 +11,32 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 
-/** The viewport between its slots, with splitters whose places are shares of the window. */
+/** The viewport between its slots, with splitters whose places are fractions of the window. */
 final class SlotLayout extends JPanel {
     private static final long serialVersionUID = 1;
-    private static final double LEFT_SHARE = 0.18;
-    private static final double RIGHT_SHARE = 0.7;
-    private static final double BOTTOM_SHARE = 0.78;
-    /** What the texts beside and below the viewport need, points: at a large scale more than their shares. */
+    private static final double LEFT_FRACTION = 0.18;
+    private static final double RIGHT_FRACTION = 0.7;
+    private static final double BOTTOM_FRACTION = 0.78;
+    /** What the texts beside and below the viewport need, points: at a large scale more than their fractions. */
     private static final int LEFT_POINTS = 224;
 
     private static final int RIGHT_POINTS = 304;
     private static final int BOTTOM_POINTS = 140;
     /** The viewport keeps as much of a small window. */
-    private static final double LEAST_VIEWPORT_SHARE = 0.5;
+    private static final double LEAST_VIEWPORT_FRACTION = 0.5;
 
     private final transient Map<String, JSplitPane> splits = new LinkedHashMap<>();
-    private final transient Map<String, Double> shares = new LinkedHashMap<>();
+    private final transient Map<String, Double> fractions = new LinkedHashMap<>();
     private final transient Set<String> chosen = new HashSet<>();
     private boolean isPlaced;
 
-    /** @param kept shares by name of the splitter, as {@link #shares} returned them */
+    /** @param kept the user's fractions by name of the splitter */
     SlotLayout(JComponent viewport, EditorSlots slots, Map<String, Double> kept) {
         super(new BorderLayout());
-        shares.put("left", LEFT_SHARE);
-        shares.put("right", RIGHT_SHARE);
-        shares.put("bottom", BOTTOM_SHARE);
-        kept.forEach((name, fraction) -> shares.computeIfPresent(name, (known, before) -> fraction));
+        fractions.put("left", LEFT_FRACTION);
+        fractions.put("right", RIGHT_FRACTION);
+        fractions.put("bottom", BOTTOM_FRACTION);
+        kept.forEach((name, fraction) -> fractions.computeIfPresent(name, (known, before) -> fraction));
         chosen.addAll(kept.keySet());
         JComponent middle = viewport;
         if (slots.bottom() != null) {
@@ -74,7 +74,7 @@ final class SlotLayout extends JPanel {
         for (String name : new String[] {"left", "right", "bottom"}) {
             JSplitPane split = splits.get(name);
             if (split != null) {
-                split.setDividerLocation((int) Math.round(length(split) * share(name, length(split))));
+                split.setDividerLocation((int) Math.round(length(split) * fraction(name, length(split))));
                 // Without a display, validate() lays out nothing.
                 split.doLayout();
             }
@@ -82,31 +82,25 @@ final class SlotLayout extends JPanel {
     }
 
     /** Returns the user's choice, or else a place at which the texts have room. */
-    private double share(String name, int length) {
-        double fraction = shares.get(name);
+    private double fraction(String name, int length) {
+        double fraction = fractions.get(name);
         if (chosen.contains(name)) {
             return fraction;
         }
         return switch (name) {
             case "left" ->
-                Math.min(1 - LEAST_VIEWPORT_SHARE, Math.max(fraction, UIScale.scale(LEFT_POINTS) / (double) length));
+                Math.min(1 - LEAST_VIEWPORT_FRACTION, Math.max(fraction, UIScale.scale(LEFT_POINTS) / (double) length));
             case "right" ->
-                Math.max(LEAST_VIEWPORT_SHARE, Math.min(fraction, 1 - UIScale.scale(RIGHT_POINTS) / (double) length));
+                Math.max(
+                        LEAST_VIEWPORT_FRACTION, Math.min(fraction, 1 - UIScale.scale(RIGHT_POINTS) / (double) length));
             default ->
-                Math.max(LEAST_VIEWPORT_SHARE, Math.min(fraction, 1 - UIScale.scale(BOTTOM_POINTS) / (double) length));
+                Math.max(
+                        LEAST_VIEWPORT_FRACTION,
+                        Math.min(fraction, 1 - UIScale.scale(BOTTOM_POINTS) / (double) length));
         };
     }
 
     private static int length(JSplitPane split) {
         return split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT ? split.getWidth() : split.getHeight();
-    }
-
-    /** Returns the places of the splitters by name, to be kept in the settings. */
-    Map<String, Double> shares() {
-        if (isPlaced) {
-            splits.forEach((name, split) ->
-                    shares.put(name, split.getDividerLocation() / (double) Math.max(1, length(split))));
-        }
-        return Map.copyOf(shares);
     }
 }

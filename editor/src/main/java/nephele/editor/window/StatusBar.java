@@ -49,9 +49,9 @@ final class StatusBar extends JPanel {
                 + Math.max(UIScale.scale(130), place.getPreferredSize().width)
                 + UIScale.scale(60);
         int texts = message.getPreferredSize().width + hint.getPreferredSize().width;
-        boolean isShown = message.getText().isBlank() || texts + numbers <= getWidth();
-        if (hint.isVisible() != isShown) {
-            hint.setVisible(isShown);
+        boolean isVisible = message.getText().isBlank() || texts + numbers <= getWidth();
+        if (hint.isVisible() != isVisible) {
+            hint.setVisible(isVisible);
         }
         super.doLayout();
     }

@@ -7,10 +7,11 @@ import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import nephele.editor.window.Closing.Choice;
 import nephele.engine.level.Language;
 
 /** Questions in dialogues, with buttons in the user's language. */
-public final class SwingQuestions implements Closing.CloseQuestion {
+public final class SwingQuestions {
     private final Component owner;
 
     /** @param owner over which the dialogues appear */
@@ -18,7 +19,7 @@ public final class SwingQuestions implements Closing.CloseQuestion {
         this.owner = owner;
     }
 
-    @Override
+    /** Asks what happens to the unsaved changes of the level of a name. */
     public Choice ask(String level, Language language) {
         int chosen = chosen(
                 WindowText.ASK_CLOSE.with(level).in(language),
@@ -34,8 +35,8 @@ public final class SwingQuestions implements Closing.CloseQuestion {
         return chosen(question, language, WindowText.YES, WindowText.NO) == 0;
     }
 
-    /** Tells of something that the user must know. */
-    public void tell(String message, Language language) {
+    /** Reports something that the user must know. */
+    public void warn(String message, Language language) {
         chosen(message, language, JOptionPane.WARNING_MESSAGE, WindowText.OK.in(language));
     }
 

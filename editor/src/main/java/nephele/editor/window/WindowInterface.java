@@ -149,7 +149,7 @@ public final class WindowInterface implements UserInterface {
         if (window == null) {
             throw new EditorRefusal(NO_PICTURE);
         }
-        return PanelPicture.asShown(window.panel());
+        return window.panel().pictureAsShown();
     }
 
     private static Optional<Clipboard> clipboard() {

@@ -39,9 +39,9 @@ public final class AssetId {
 
     private static String notAllowed(int character) {
         String text = Character.toString(character);
-        String shown = MessageText.printable(text).equals(text) ? "'" + text + "' (U+%04X)" : "U+%04X";
+        String quoted = MessageText.printable(text).equals(text) ? "'" + text + "' (U+%04X)" : "U+%04X";
         return String.format(
-                Locale.ROOT, "character " + shown.replace("%'", "%%'") + " is not allowed in an asset id", character);
+                Locale.ROOT, "character " + quoted.replace("%'", "%%'") + " is not allowed in an asset id", character);
     }
 
     /** Throws an {@link AssetException} unless {@code id} is an asset id. */

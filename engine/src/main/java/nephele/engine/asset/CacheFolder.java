@@ -5,11 +5,14 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -20,8 +23,6 @@ import java.util.Optional;
  * @param mostBytes limit for all files together; the newest one is kept even if it is larger
  */
 public record CacheFolder(Path folder, String pattern, long mostBytes) {
-    private record Stored(Path path, long bytes, FileTime used) {}
-
     /** Returns the user's own cache folder, which may not exist yet. */
     public static Path ofUser() {
         String cache = System.getenv("XDG_CACHE_HOME");
@@ -67,20 +68,22 @@ public record CacheFolder(Path folder, String pattern, long mostBytes) {
     }
 
     private void trim(Path newest) throws IOException {
-        List<Stored> files = new ArrayList<>();
+        Map<Path, BasicFileAttributes> files = new HashMap<>();
         long sum = 0;
         try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, pattern)) {
             for (Path file : all) {
-                Stored stored = new Stored(file, Files.size(file), Files.getLastModifiedTime(file));
-                files.add(stored);
-                sum += stored.bytes;
+                BasicFileAttributes stored = Files.readAttributes(file, BasicFileAttributes.class);
+                files.put(file, stored);
+                sum += stored.size();
             }
         }
-        files.sort(Comparator.comparing(Stored::used).thenComparing(Stored::path));
-        for (Stored oldest : files) {
-            if (sum > mostBytes && !oldest.path.equals(newest)) {
-                Files.deleteIfExists(oldest.path);
-                sum -= oldest.bytes;
+        List<Path> oldestFirst = new ArrayList<>(files.keySet());
+        oldestFirst.sort(Comparator.comparing((Path file) -> files.get(file).lastModifiedTime())
+                .thenComparing(Comparator.naturalOrder()));
+        for (Path oldest : oldestFirst) {
+            if (sum > mostBytes && !oldest.equals(newest)) {
+                Files.deleteIfExists(oldest);
+                sum -= files.get(oldest).size();
             }
         }
     }

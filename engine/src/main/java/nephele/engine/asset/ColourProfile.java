@@ -105,13 +105,13 @@ final class ColourProfile {
                 tried[i * channels + channel] = (byte) (channels == 1 ? i : rest % TRIED * 255 / (TRIED - 1));
             }
         }
-        byte[] shown = ((DataBufferByte) converted(raster(count, 1, channels, 8, tried, channels))
+        byte[] colours = ((DataBufferByte) converted(raster(count, 1, channels, 8, tried, channels))
                         .getDataBuffer())
                 .getData();
         for (int i = 0; i < count; i++) {
             for (int channel = 0; channel < 3; channel++) {
                 int was = tried[i * channels + Math.min(channel, channels - 1)] & 0xff;
-                if (Math.abs(was - (shown[3 * i + channel] & 0xff)) > SAME) {
+                if (Math.abs(was - (colours[3 * i + channel] & 0xff)) > SAME) {
                     return false;
                 }
             }

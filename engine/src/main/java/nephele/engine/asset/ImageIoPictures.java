@@ -33,7 +33,7 @@ final class ImageIoPictures {
 
     /** Decodes a PNG or BMP file; the numbers are as stored. */
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
-        return read(format, bytes, reader -> picture(reader.read(0)));
+        return read(format, bytes, false);
     }
 
     /** Decodes a JPEG file to sRGB. */
@@ -52,8 +52,7 @@ final class ImageIoPictures {
         if (header.components() < 4) {
             return ColourProfile.toSrgb(decode(PictureFormat.JPEG, plain), profile);
         }
-        byte[] inks = read(PictureFormat.JPEG, plain, reader -> bytes(reader.readRaster(0, null)))
-                .samples();
+        byte[] inks = read(PictureFormat.JPEG, plain, true).samples();
         toInks(inks, header.adobeTransform() == ADOBE_YCCK);
         return ColourProfile.ofInks(header.width(), header.height(), inks, profile);
     }
@@ -82,17 +81,12 @@ final class ImageIoPictures {
         return (byte) Math.max(0, Math.min(255, Math.rint(value)));
     }
 
-    /** Reads from an opened file. */
-    @FunctionalInterface
-    private interface Reading {
-        Picture read(ImageReader reader) throws IOException;
-    }
-
-    private static Picture read(PictureFormat format, byte[] bytes, Reading reading) throws IOException {
+    /** @param isRaw true for the bands as stored, whatever colours they are */
+    private static Picture read(PictureFormat format, byte[] bytes, boolean isRaw) throws IOException {
         ImageReader reader = reader(format);
         try (ImageInputStream stream = new ByteArrayImageInputStream(bytes)) {
             reader.setInput(stream, false, true);
-            return reading.read(reader);
+            return isRaw ? bytes(reader.readRaster(0, null)) : picture(reader.read(0));
         } finally {
             reader.dispose();
         }

@@ -5,13 +5,14 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.PictureFormat.Span;
 
 /**
  * The marker segments of a JPEG file up to its frame header (ITU-T T.81, B.1.1.4 and B.2.2).
  *
  * @param frame second byte of the frame's marker, which tells the kind of compression
  * @param adobeTransform how the components are coded by Adobe's segment: 0 as they are, 1 YCbCr, 2 YCCK; -1 without it
- * @param profiles positions of the segments with parts of an ICC profile
+ * @param profiles the segments with parts of an ICC profile, from their markers on
  */
 record JpegHeader(
         ByteBuffer file,
@@ -21,20 +22,17 @@ record JpegHeader(
         int height,
         int components,
         int adobeTransform,
-        List<Segment> profiles) {
+        List<Span> profiles) {
     private static final int ADOBE = 0xee;
     private static final int APP_2 = 0xe2;
     private static final String PROFILE = "ICC_PROFILE\0";
     private static final int PROFILE_HEAD = PROFILE.length() + 2;
     private static final int ARITHMETIC = 0xc8;
 
-    /** A segment from its marker on. */
-    record Segment(int offset, int length) {}
-
     /** Returns {@code null} if the file ends before the frame header, or has none. */
     static JpegHeader of(byte[] bytes) {
         ByteBuffer file = ByteBuffer.wrap(bytes);
-        List<Segment> profiles = new ArrayList<>();
+        List<Span> profiles = new ArrayList<>();
         int adobe = -1;
         int at = 2;
         while (at + 10 <= file.limit()) {
@@ -53,7 +51,7 @@ record JpegHeader(
             if (kind == ADOBE && begins(bytes, at + 4, "Adobe") && length >= 14 && at + 16 <= file.limit()) {
                 adobe = file.get(at + 15) & 0xff;
             } else if (kind == APP_2 && begins(bytes, at + 4, PROFILE)) {
-                profiles.add(new Segment(at, length + 2));
+                profiles.add(new Span(at, length + 2));
             }
             at += marker == 0xffff ? 1 : 2 + length;
         }
@@ -87,9 +85,9 @@ record JpegHeader(
     /** Returns the embedded profile, {@code null} without one; its parts follow each other in the file. */
     byte[] profile() {
         ByteArrayOutputStream whole = new ByteArrayOutputStream();
-        for (Segment part : profiles) {
-            int from = part.offset + 4 + PROFILE_HEAD;
-            whole.write(file.array(), from, Math.max(0, Math.min(part.offset + part.length, file.limit()) - from));
+        for (Span part : profiles) {
+            int from = part.offset() + 4 + PROFILE_HEAD;
+            whole.write(file.array(), from, Math.max(0, Math.min(part.offset() + part.length(), file.limit()) - from));
         }
         return whole.size() == 0 ? null : whole.toByteArray();
     }
@@ -98,9 +96,9 @@ record JpegHeader(
     byte[] withoutProfile() {
         ByteArrayOutputStream rest = new ByteArrayOutputStream(file.limit());
         int at = 0;
-        for (Segment part : profiles) {
-            rest.write(file.array(), at, part.offset - at);
-            at = Math.min(part.offset + part.length, file.limit());
+        for (Span part : profiles) {
+            rest.write(file.array(), at, part.offset() - at);
+            at = Math.min(part.offset() + part.length(), file.limit());
         }
         rest.write(file.array(), at, file.limit() - at);
         return rest.toByteArray();

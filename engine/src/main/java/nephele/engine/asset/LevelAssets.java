@@ -63,6 +63,13 @@ public final class LevelAssets implements AssetSource {
         return new LevelAssets(all, folder);
     }
 
+    /** Returns the assets of another source, and behind them these. */
+    public LevelAssets behind(AssetSource others) {
+        List<AssetSource> all = new ArrayList<>(List.of(others));
+        all.addAll(sources);
+        return new LevelAssets(all, folder);
+    }
+
     /** Adds the assets of a checkout, which is a folder with {@code assets} beside {@code levels}. */
     private static void addCheckout(List<AssetSource> sources, Path folder) {
         if (Files.isDirectory(folder.resolve("assets")) && Files.isDirectory(folder.resolve("levels"))) {

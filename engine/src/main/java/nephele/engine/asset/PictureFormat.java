@@ -21,6 +21,9 @@ enum PictureFormat {
     /** The width and height in the header. */
     record Size(long width, long height) {}
 
+    /** A range of a file in bytes. */
+    record Span(int offset, int length) {}
+
     /** Returns the format, or {@code null} if it is unknown. */
     static PictureFormat of(String assetId, byte[] bytes) {
         if (startsWith(bytes, 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a)) {

@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.zip.CRC32;
+import nephele.engine.asset.PictureFormat.Span;
 
 /**
  * The chunks of a PNG file that determine its stored pixels (PNG, third edition, section 5); {@link PngColours} reads
@@ -35,9 +36,6 @@ record PngFile(byte[] bytes, Header header, Span palette, Span transparency, Lis
             };
         }
     }
-
-    /** A range of the file in bytes. */
-    record Span(int offset, int length) {}
 
     static PngFile of(byte[] bytes) throws IOException {
         ByteBuffer buffer = ByteBuffer.wrap(bytes);

@@ -1,6 +1,7 @@
 package nephele.engine.asset;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
@@ -19,11 +20,34 @@ final class PngPixels {
     private static final int[][] WHOLE = {{0, 0, 1, 1}};
 
     private final PngFile file;
+    private final PngFile.Header header;
+    private final byte[] palette;
+
+    /** Alpha of the palette's first colours, or the key: the numbers of the one transparent colour. */
+    private final byte[] transparency;
+
+    private final int channels;
+    private final int outBits;
     private final Inflater inflater = new Inflater();
     private int nextSpan;
 
-    private PngPixels(PngFile file) {
+    private PngPixels(PngFile file) throws IOException {
         this.file = file;
+        header = file.header();
+        requireKnown(header);
+        boolean isPalette = header.colour() == PALETTE;
+        palette = isPalette ? content(file, file.palette()) : new byte[0];
+        transparency = content(file, file.transparency());
+        boolean isFit = isPalette
+                ? palette.length % 3 == 0 && transparency.length <= palette.length / 3
+                : transparency.length == 0
+                        || (header.colour() == 0 || header.colour() == 2)
+                                && transparency.length == 2 * header.channels();
+        if (!isFit) {
+            throw new IOException("a palette or transparency that does not fit the pixels");
+        }
+        channels = (isPalette ? 3 : header.channels()) + (transparency.length > 0 ? 1 : 0);
+        outBits = Math.max(8, header.bitDepth());
     }
 
     static Picture decode(PngFile file) throws IOException {
@@ -38,28 +62,35 @@ final class PngPixels {
     }
 
     private Picture picture() throws IOException, DataFormatException {
-        PngFile.Header header = file.header();
-        requireKnown(header);
         boolean isPlain = header.interlace() == 0
                 && header.bitDepth() >= 8
                 && header.colour() != PALETTE
-                && file.transparency() == null;
-        if (isPlain) {
-            byte[] samples = pass(header.width(), header.height());
-            if (header.bitDepth() == 16) {
-                lowByteFirst(samples);
-            }
-            return new Picture(header.width(), header.height(), header.channels(), header.bitDepth(), samples);
+                && transparency.length == 0;
+        return new Picture(header.width(), header.height(), channels, outBits, isPlain ? plain() : expanded());
+    }
+
+    private byte[] plain() throws IOException, DataFormatException {
+        byte[] samples = pass(header.width(), header.height());
+        if (header.bitDepth() == 16) {
+            lowByteFirst(samples);
         }
-        PngExpansion expansion = PngExpansion.of(file);
+        return samples;
+    }
+
+    /**
+     * Expands packed pixels (third edition, sections 4.5, 7.2 and 11.3.1.1): palettes to their colours, keys of
+     * transparency to alpha, less than 8 bits to 8.
+     */
+    private byte[] expanded() throws IOException, DataFormatException {
+        byte[] samples = new byte[header.width() * header.height() * channels * outBits / 8];
         for (int[] pass : header.interlace() == 0 ? WHOLE : ADAM_7) {
             int columns = (header.width() - pass[0] + pass[2] - 1) / pass[2];
             int rows = (header.height() - pass[1] + pass[3] - 1) / pass[3];
             if (columns > 0 && rows > 0) {
-                expansion.add(pass(columns, rows), columns, rows, pass);
+                expand(pass(columns, rows), columns, rows, pass, samples);
             }
         }
-        return expansion.picture();
+        return samples;
     }
 
     /** Refuses what the specification's table 11.1 does not list. */
@@ -79,7 +110,7 @@ final class PngPixels {
 
     /** Returns the unfiltered rows of a pass. */
     private byte[] pass(int columns, int rows) throws IOException, DataFormatException {
-        int pixelBits = file.header().channels() * file.header().bitDepth();
+        int pixelBits = header.channels() * header.bitDepth();
         int rowBytes = (columns * pixelBits + 7) / 8;
         byte[] packed = new byte[rowBytes * rows];
         byte[] filter = new byte[1];
@@ -106,7 +137,7 @@ final class PngPixels {
         if (!inflater.needsInput() || nextSpan == file.pixelData().size()) {
             throw new IOException("too few pixels");
         }
-        PngFile.Span span = file.pixelData().get(nextSpan++);
+        PictureFormat.Span span = file.pixelData().get(nextSpan++);
         inflater.setInput(file.bytes(), span.offset(), span.length());
     }
 
@@ -180,113 +211,67 @@ final class PngPixels {
         }
     }
 
-    /**
-     * Expands the packed pixels of a PNG file (third edition, sections 4.5, 7.2 and 11.3.1.1): palettes to their colours, keys
-     * of transparency to alpha, less than 8 bits to 8.
-     */
-    private static final class PngExpansion {
-        private final PngFile.Header header;
-        private final byte[] palette;
+    private static byte[] content(PngFile file, PictureFormat.Span span) {
+        return span == null
+                ? new byte[0]
+                : Arrays.copyOfRange(file.bytes(), span.offset(), span.offset() + span.length());
+    }
 
-        /** Alpha of the palette's first colours, or the key: the numbers of the one transparent colour. */
-        private final byte[] transparency;
-
-        private final int channels;
-        private final int outBits;
-        private final byte[] samples;
-
-        private PngExpansion(PngFile.Header header, byte[] palette, byte[] transparency) {
-            this.header = header;
-            this.palette = palette;
-            this.transparency = transparency;
-            int colours = header.colour() == PngPixels.PALETTE ? 3 : header.channels();
-            this.channels = colours + (transparency.length > 0 ? 1 : 0);
-            this.outBits = Math.max(8, header.bitDepth());
-            this.samples = new byte[header.width() * header.height() * channels * outBits / 8];
-        }
-
-        static PngExpansion of(PngFile file) throws IOException {
-            PngFile.Header header = file.header();
-            boolean isPalette = header.colour() == PngPixels.PALETTE;
-            byte[] palette = isPalette ? content(file, file.palette()) : new byte[0];
-            byte[] transparency = content(file, file.transparency());
-            boolean isFit = isPalette
-                    ? palette.length % 3 == 0 && transparency.length <= palette.length / 3
-                    : transparency.length == 0
-                            || (header.colour() == 0 || header.colour() == 2)
-                                    && transparency.length == 2 * header.channels();
-            if (!isFit) {
-                throw new IOException("a palette or transparency that does not fit the pixels");
-            }
-            return new PngExpansion(header, palette, transparency);
-        }
-
-        private static byte[] content(PngFile file, PngFile.Span span) {
-            return span == null
-                    ? new byte[0]
-                    : java.util.Arrays.copyOfRange(file.bytes(), span.offset(), span.offset() + span.length());
-        }
-
-        Picture picture() {
-            return new Picture(header.width(), header.height(), channels, outBits, samples);
-        }
-
-        /** @param pass first column and row, and steps between columns and rows */
-        void add(byte[] packed, int columns, int rows, int[] pass) throws IOException {
-            int rowBits = (columns * header.channels() * header.bitDepth() + 7) / 8 * 8;
-            for (int y = 0; y < rows; y++) {
-                for (int x = 0; x < columns; x++) {
-                    long first = (long) y * rowBits + (long) x * header.channels() * header.bitDepth();
-                    int pixel = (pass[1] + y * pass[3]) * header.width() + pass[0] + x * pass[2];
-                    if (header.colour() == PngPixels.PALETTE) {
-                        addColour(number(packed, first), pixel * channels);
-                    } else {
-                        addNumbers(packed, first, pixel * channels);
-                    }
+    /** @param pass first column and row, and steps between columns and rows */
+    private void expand(byte[] packed, int columns, int rows, int[] pass, byte[] samples) throws IOException {
+        int rowBits = (columns * header.channels() * header.bitDepth() + 7) / 8 * 8;
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < columns; x++) {
+                long first = (long) y * rowBits + (long) x * header.channels() * header.bitDepth();
+                int pixel = (pass[1] + y * pass[3]) * header.width() + pass[0] + x * pass[2];
+                if (header.colour() == PALETTE) {
+                    addColour(number(packed, first), samples, pixel * channels);
+                } else {
+                    addNumbers(packed, first, samples, pixel * channels);
                 }
             }
         }
+    }
 
-        private void addColour(int index, int out) throws IOException {
-            if (3 * index >= palette.length) {
-                throw new IOException("a pixel names none of its palette's colours");
-            }
-            System.arraycopy(palette, 3 * index, samples, out, 3);
-            if (channels == 4) {
-                samples[out + 3] = index < transparency.length ? transparency[index] : -1;
-            }
+    private void addColour(int index, byte[] samples, int out) throws IOException {
+        if (3 * index >= palette.length) {
+            throw new IOException("a pixel names none of its palette's colours");
         }
+        System.arraycopy(palette, 3 * index, samples, out, 3);
+        if (channels == 4) {
+            samples[out + 3] = index < transparency.length ? transparency[index] : -1;
+        }
+    }
 
-        private void addNumbers(byte[] packed, long first, int out) {
-            int most = (1 << header.bitDepth()) - 1;
-            boolean isKey = transparency.length > 0;
-            for (int channel = 0; channel < header.channels(); channel++) {
-                int number = number(packed, first + (long) channel * header.bitDepth());
-                write(out + channel, header.bitDepth() < 8 ? number * 255 / most : number);
-                isKey &= transparency.length > 0
-                        && number == ((transparency[2 * channel] & 0xff) << 8 | transparency[2 * channel + 1] & 0xff);
-            }
-            if (channels > header.channels()) {
-                write(out + header.channels(), isKey ? 0 : 65_535);
-            }
+    private void addNumbers(byte[] packed, long first, byte[] samples, int out) {
+        int most = (1 << header.bitDepth()) - 1;
+        boolean isKey = transparency.length > 0;
+        for (int channel = 0; channel < header.channels(); channel++) {
+            int number = number(packed, first + (long) channel * header.bitDepth());
+            write(samples, out + channel, header.bitDepth() < 8 ? number * 255 / most : number);
+            isKey &= transparency.length > 0
+                    && number == ((transparency[2 * channel] & 0xff) << 8 | transparency[2 * channel + 1] & 0xff);
         }
+        if (channels > header.channels()) {
+            write(samples, out + header.channels(), isKey ? 0 : 65_535);
+        }
+    }
 
-        private void write(int at, int value) {
-            if (outBits == 8) {
-                samples[at] = (byte) value;
-            } else {
-                samples[2 * at] = (byte) value;
-                samples[2 * at + 1] = (byte) (value >> 8);
-            }
+    private void write(byte[] samples, int at, int value) {
+        if (outBits == 8) {
+            samples[at] = (byte) value;
+        } else {
+            samples[2 * at] = (byte) value;
+            samples[2 * at + 1] = (byte) (value >> 8);
         }
+    }
 
-        private int number(byte[] packed, long bit) {
-            int at = (int) (bit >> 3);
-            int depth = header.bitDepth();
-            if (depth == 16) {
-                return (packed[at] & 0xff) << 8 | packed[at + 1] & 0xff;
-            }
-            return (packed[at] & 0xff) >> 8 - depth - (int) (bit & 7) & (1 << depth) - 1;
+    private int number(byte[] packed, long bit) {
+        int at = (int) (bit >> 3);
+        int depth = header.bitDepth();
+        if (depth == 16) {
+            return (packed[at] & 0xff) << 8 | packed[at + 1] & 0xff;
         }
+        return (packed[at] & 0xff) >> 8 - depth - (int) (bit & 7) & (1 << depth) - 1;
     }
 }

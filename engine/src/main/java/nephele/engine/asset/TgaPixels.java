@@ -171,9 +171,10 @@ final class TgaPixels {
     }
 
     private static void divide(byte[] samples, int out, int channels) {
-        int share = samples[out + channels - 1] & 0xff;
-        for (int channel = 0; channel < channels - 1 && channels % 2 == 0 && share > 0; channel++) {
-            samples[out + channel] = (byte) Math.min(255, ((samples[out + channel] & 0xff) * 255 + share / 2) / share);
+        int fraction = samples[out + channels - 1] & 0xff;
+        for (int channel = 0; channel < channels - 1 && channels % 2 == 0 && fraction > 0; channel++) {
+            samples[out + channel] =
+                    (byte) Math.min(255, ((samples[out + channel] & 0xff) * 255 + fraction / 2) / fraction);
         }
     }
 

@@ -48,12 +48,26 @@ public final class AerialTable {
      * @param sunSine of the sun's elevation
      */
     public AerialTable(AirTables tables, double heightMetres, double sunSine) {
-        this(tables, AllScattering::new, heightMetres, sunSine);
+        this(tables, AerialTable::allScattering, heightMetres, sunSine);
     }
 
     /** Computes the table of the light that the air scatters once, which clouds can shade. */
     public static AerialTable ofFirstScattering(AirTables tables, double heightMetres, double sunSine) {
-        return new AerialTable(tables, FirstScattering::new, heightMetres, sunSine);
+        return new AerialTable(tables, SingleScattering::withPhases, heightMetres, sunSine);
+    }
+
+    /** Returns all sunlight that the air scatters into a ray, for one thread. */
+    private static AirSource allScattering(AirTables tables) {
+        AirSource once = SingleScattering.withPhases(tables);
+        AirSource more = new RepeatedScattering(tables.air(), tables.field(), tables.mieMoments());
+        double[] single = new double[CHANNELS];
+        return (ray, radiancePerMetre) -> {
+            more.put(ray, radiancePerMetre);
+            once.put(ray, single);
+            for (int c = 0; c < CHANNELS; c++) {
+                radiancePerMetre[c] += single[c];
+            }
+        };
     }
 
     private AerialTable(AirTables tables, Function<AirTables, AirSource> source, double heightMetres, double sunSine) {
@@ -107,37 +121,22 @@ public final class AerialTable {
         values[at + CHANNELS] = (float) (EXTINCTION_SCALE * depth / metres);
     }
 
-    /** Returns tan(e / 2) of the horizon's elevation e, at most 0: where the rows are densest. */
-    public double horizon() {
-        return horizon;
-    }
-
     /** Returns the sine of a row's elevation. */
     private double sine(int row) {
-        double share = 2.0 * row / (ROWS - 1) - 1;
-        double t = horizon + share * share * (share < 0 ? -1 - horizon : 1 - horizon);
+        double fraction = 2.0 * row / (ROWS - 1) - 1;
+        double t = horizon + fraction * fraction * (fraction < 0 ? -1 - horizon : 1 - horizon);
         return Math.max(-1, Math.min(1, 2 * t / (1 + t * t)));
     }
 
     private double row(double sine) {
         double t = sine / (1 + Math.sqrt(Math.max(0, 1 - sine * sine)));
-        double share =
+        double fraction =
                 t < horizon ? -Math.sqrt((horizon - t) / (1 + horizon)) : Math.sqrt((t - horizon) / (1 - horizon));
-        return (share + 1) / 2 * (ROWS - 1);
+        return (fraction + 1) / 2 * (ROWS - 1);
     }
 
     private static int index(int slice, int row, int column) {
         return ((slice * ROWS + row) * AZIMUTHS + column) * NUMBERS;
-    }
-
-    /** Returns the height of the eye, from 0 to {@link Air#TOP_METRES}. */
-    public double heightMetres() {
-        return heightMetres;
-    }
-
-    /** Returns the sine of the sun's elevation. */
-    public double sunSine() {
-        return sunSine;
     }
 
     /** Returns the texels of a texture of RGBA, slice by slice. */
@@ -197,7 +196,7 @@ public final class AerialTable {
             int right = corner & 1;
             int up = corner >> 1 & 1;
             int far = corner >> 2;
-            double weight = share(x - column, right) * share(y - row, up) * share(z - slice, far);
+            double weight = weight(x - column, right) * weight(y - row, up) * weight(z - slice, far);
             int at = index(slice + far, row + up, column + right);
             for (int k = 0; k < NUMBERS; k++) {
                 four[k] += weight * values[at + k];
@@ -206,7 +205,7 @@ public final class AerialTable {
         return four;
     }
 
-    private static double share(double between, int side) {
+    private static double weight(double between, int side) {
         return side == 1 ? between : 1 - between;
     }
 }

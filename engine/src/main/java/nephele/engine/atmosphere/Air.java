@@ -39,15 +39,15 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
     static final double[] LAYERS_METRES = {600, 2_000, 5_000, 10_000, 17_000, 25_000, 40_000, 65_000};
 
     /**
-     * Half of the width of the edge of the planet's shadow in the air, as a share of the sun's radius. The whole disc
+     * Half of the width of the edge of the planet's shadow in the air, as a fraction of the sun's radius. The whole disc
      * would blur the edge more than tables of a parallel beam allow (1 % of their radiance); with a point the sky jumps
      * when the edge sweeps the lowest air.
      */
-    private static final double EDGE_SHARE = 0.375;
+    private static final double EDGE_FRACTION = 0.375;
 
     /** Returns the angular radius of the disc that lights the air. */
     double shadowEdgeRadians() {
-        return EDGE_SHARE * sunRadiusRadians;
+        return EDGE_FRACTION * sunRadiusRadians;
     }
 
     /** Returns the same air under a sun of another angular radius. */
@@ -96,7 +96,7 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
     }
 
     /**
-     * Returns the share of light that the air lets pass on its way from outside to a height.
+     * Returns the fraction of light that the air lets pass on its way from outside to a height.
      *
      * @param zenithCosine of the direction towards the light, which the planet must not hide
      */
@@ -109,20 +109,20 @@ public record Air(Vec3 groundAlbedo, double mieScale, double mieG, double ozoneS
     }
 
     /**
-     * Returns the share of the sun's irradiance that reaches a plane perpendicular to its beam: what the air lets pass
+     * Returns the fraction of the sun's irradiance that reaches a plane perpendicular to its beam: what the air lets pass
      * of the part of the disc that the planet does not hide.
      *
      * @param sunSine of the elevation of the sun's middle
      */
     public Vec3 sunlight(double heightMetres, double sunSine) {
-        SunOverLimb disc = SunOverLimb.seen(sunRadiusRadians, heightMetres, sunSine);
-        if (disc.share() == 0) {
+        SunOverLimb disc = SunOverLimb.of(sunRadiusRadians, heightMetres, sunSine);
+        if (disc.fraction() == 0) {
             return Vec3.ZERO;
         }
         double horizon = Math.sin(SkyTable.horizonRadians(heightMetres)) + 1e-9;
         Vec3 low = transmittance(heightMetres, Math.max(horizon, disc.lowSine()));
         Vec3 high = transmittance(heightMetres, Math.max(horizon, disc.highSine()));
-        return low.plus(high).scaled(0.5 * disc.share());
+        return low.plus(high).scaled(0.5 * disc.fraction());
     }
 
     /** Returns the phase function of molecules, per steradian: Rayleigh's, without polarisation. */

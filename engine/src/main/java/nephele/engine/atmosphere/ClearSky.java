@@ -61,7 +61,7 @@ public final class ClearSky {
     }
 
     /**
-     * Returns what the air along a part of a ray does to light: it adds its own and lets a share pass. Neither the
+     * Returns what the air along a part of a ray does to light: it adds its own and lets a fraction pass. Neither the
      * planet's ground nor the sky behind the end counts. Below the ground the air is that of height 0.
      *
      * @param heightMetres of the beginning; outside 0 to {@link Air#TOP_METRES} that of the nearest of both

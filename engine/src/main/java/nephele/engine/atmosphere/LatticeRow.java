@@ -25,13 +25,13 @@ record LatticeRow(boolean isSky, double place) {
         if (sine < 0 && square >= 0) {
             double distance = toHorizonSquared(height) / (Math.sqrt(square) - along);
             double range = Math.sqrt(toHorizonSquared(height)) - height;
-            double share = range > 0 ? Math.max(0, Math.min(1, (distance - height) / range)) : 0;
-            return new LatticeRow(false, Math.cbrt(share) * (GROUND - 1));
+            double fraction = range > 0 ? Math.max(0, Math.min(1, (distance - height) / range)) : 0;
+            return new LatticeRow(false, Math.cbrt(fraction) * (GROUND - 1));
         }
         double horizon = horizonRadians(height);
         double above = Math.asin(Math.max(-1, Math.min(1, sine))) - horizon;
-        double share = Math.max(0, Math.min(1, above / (Math.PI / 2 - horizon)));
-        return new LatticeRow(true, Math.sqrt(share) * (SKY - 1));
+        double fraction = Math.max(0, Math.min(1, above / (Math.PI / 2 - horizon)));
+        return new LatticeRow(true, Math.sqrt(fraction) * (SKY - 1));
     }
 
     private static double toHorizonSquared(double height) {
@@ -45,15 +45,15 @@ record LatticeRow(boolean isSky, double place) {
     /** Returns the sine of the elevation of a row of the sky. */
     static double skySine(double height, int row) {
         double horizon = horizonRadians(height);
-        double share = row / (SKY - 1.0);
-        return Math.sin(horizon + Math.max(LEAST_RADIANS, (Math.PI / 2 - horizon) * share * share));
+        double fraction = row / (SKY - 1.0);
+        return Math.sin(horizon + Math.max(LEAST_RADIANS, (Math.PI / 2 - horizon) * fraction * fraction));
     }
 
     /** Returns the sine of the elevation of a row of the ground; from height 0 all of it looks the same. */
     static double groundSine(double height, int row) {
-        double share = row / (GROUND - 1.0);
+        double fraction = row / (GROUND - 1.0);
         double range = Math.sqrt(toHorizonSquared(height)) - height;
-        double distance = height + range * Math.pow(share, GROUND_POWER);
+        double distance = height + range * Math.pow(fraction, GROUND_POWER);
         double sine = -(distance * distance + toHorizonSquared(height)) / (2 * (PLANET + height) * distance);
         return height == 0 ? -1 : Math.max(-1, sine * (1 + 1e-12));
     }

@@ -89,8 +89,8 @@ final class LightField {
 
     /** Returns the height of a node, metres. */
     static double heightMetres(int j) {
-        double share = j / (HEIGHTS - 1.0);
-        return Air.TOP_METRES * share * share;
+        double fraction = j / (HEIGHTS - 1.0);
+        return Air.TOP_METRES * fraction * fraction;
     }
 
     /** Returns the sine of the sun's elevation at a node. */

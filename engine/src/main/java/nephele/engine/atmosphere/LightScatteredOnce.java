@@ -16,7 +16,7 @@ public final class LightScatteredOnce {
     public LightScatteredOnce(AirTables tables) {
         air = tables.air();
         integral = new AirIntegral(air, AirIntegral.COARSE);
-        source = new FirstScattering(tables);
+        source = SingleScattering.withPhases(tables);
     }
 
     /**

@@ -7,7 +7,7 @@ final class RepeatedScattering implements AirSource {
     /** Degree up to which the phase function of molecules has Legendre coefficients. */
     private static final int MOLECULES_DEGREE = 2;
 
-    /** Share of the scattering by aerosols below which their higher degrees are neglected: from some 14 km on. */
+    /** Fraction of the scattering by aerosols below which their higher degrees are neglected: from some 14 km on. */
     private static final double LEAST_AEROSOLS = 3e-5;
 
     private final Air air;
@@ -50,11 +50,6 @@ final class RepeatedScattering implements AirSource {
     }
 
     @Override
-    public int colours() {
-        return 1;
-    }
-
-    @Override
     public void put(AirRay ray, double[] radiancePerMetre) {
         double mu = ray.pointZenithCosine();
         double sun = ray.pointSunCosine();
@@ -69,10 +64,10 @@ final class RepeatedScattering implements AirSource {
             double rayleigh = Air.rayleighPerMetre(c) * ray.pointMolecules();
             int at = c * count;
             for (int l = 0; l <= degree; l++) {
-                double share = mie * mieMoments[l] + (l == 0 ? rayleigh : l == 2 ? 0.1 * rayleigh : 0);
+                double fraction = mie * mieMoments[l] + (l == 0 ? rayleigh : l == 2 ? 0.1 * rayleigh : 0);
                 for (int m = 0; m <= l; m++) {
                     int k = DirectionMoments.index(l, m);
-                    weights[at + k] = share * values[k];
+                    weights[at + k] = fraction * values[k];
                 }
             }
         }

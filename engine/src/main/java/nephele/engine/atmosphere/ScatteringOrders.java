@@ -31,7 +31,7 @@ final class ScatteringOrders {
     private final double[] groundSums = new double[LightField.SUNS * Air.CHANNELS];
     private double[] groundLast;
     private double[] groundLastButOne;
-    private double share;
+    private double fraction;
 
     /** How exactly fields are computed. */
     enum Accuracy {
@@ -40,16 +40,16 @@ final class ScatteringOrders {
         /** Within 0.3 % of the other in a fourth of its time: fields for which somebody waits. */
         QUICK(0.06, 6, AirIntegral.SHORT, AirIntegral.SHORTEST);
 
-        /** Share of the sum that an order adds at most if it is the last. */
-        private final double leastShare;
+        /** Fraction of the sum that an order adds at most if it is the last. */
+        private final double leastFraction;
         /** Azimuths of light that is scattered more than twice. */
         private final int azimuths;
 
         private final GaussLegendre second;
         private final GaussLegendre later;
 
-        Accuracy(double leastShare, int azimuths, GaussLegendre second, GaussLegendre later) {
-            this.leastShare = leastShare;
+        Accuracy(double leastFraction, int azimuths, GaussLegendre second, GaussLegendre later) {
+            this.leastFraction = leastFraction;
             this.azimuths = azimuths;
             this.second = second;
             this.later = later;
@@ -80,14 +80,14 @@ final class ScatteringOrders {
     /**
      * Returns the field of all orders: light scattered at least once, or reflected by the ground.
      *
-     * @param progress the completed share, estimated from the light that the last order added
+     * @param progress the completed fraction, estimated from the light that the last order added
      */
     static LightField sum(Air air, SunTransmittance sun, Accuracy accuracy, DoubleConsumer progress) {
         progress.accept(0);
         ScatteringOrders orders = new ScatteringOrders(air, sun, accuracy);
         LightField last = orders.next(null, FIRST_DEGREE);
-        for (int order = 2; order <= MOST_ORDERS && orders.share > accuracy.leastShare; order++) {
-            progress.accept(Math.max(0, Math.log(orders.share) / Math.log(accuracy.leastShare)));
+        for (int order = 2; order <= MOST_ORDERS && orders.fraction > accuracy.leastFraction; order++) {
+            progress.accept(Math.max(0, Math.log(orders.fraction) / Math.log(accuracy.leastFraction)));
             last = orders.next(last.refined(), DEGREE);
         }
         if (accuracy == Accuracy.QUICK) {
@@ -123,7 +123,7 @@ final class ScatteringOrders {
         last = new double[sums.length][];
         groundLastButOne = groundLast;
         groundLast = new double[groundSums.length];
-        double[] shares = new double[LightField.HEIGHTS];
+        double[] fractions = new double[LightField.HEIGHTS];
         IntStream.range(0, LightField.HEIGHTS).parallel().forEach(height -> {
             SkyDirections directions =
                     new SkyDirections(LightField.heightMetres(height), degree, accuracy.azimuths(before));
@@ -133,10 +133,10 @@ final class ScatteringOrders {
             for (int i = 0; i < LightField.SUNS; i++) {
                 put(order, directions, height, i);
             }
-            shares[height] = add(height, now);
+            fractions[height] = add(height, now);
         });
-        share = IntStream.range(0, shares.length)
-                .mapToDouble(j -> shares[j])
+        fraction = IntStream.range(0, fractions.length)
+                .mapToDouble(j -> fractions[j])
                 .max()
                 .orElse(0);
         return now;
@@ -171,7 +171,7 @@ final class ScatteringOrders {
         }
     }
 
-    /** Adds the present order at a height to the sums and puts it into a field; returns the greatest share that it adds. */
+    /** Adds the present order at a height to the sums and puts it into a field; returns the greatest fraction that it adds. */
     private double add(int height, LightField field) {
         double most = 0;
         for (int i = 0; i < LightField.SUNS; i++) {

@@ -14,6 +14,21 @@ final class SingleScattering implements AirSource {
         this.sun = sun;
     }
 
+    /** Returns the same light as one colour, with the phase functions of the ray, for one thread. */
+    static AirSource withPhases(AirTables tables) {
+        Air air = tables.air();
+        AirSource once = new SingleScattering(air, tables.sunlight());
+        double[] single = new double[2 * Air.CHANNELS];
+        return (ray, radiancePerMetre) -> {
+            once.put(ray, single);
+            double rayleigh = Air.rayleighPhase(ray.betweenCosine());
+            double mie = air.miePhase(ray.betweenCosine());
+            for (int c = 0; c < Air.CHANNELS; c++) {
+                radiancePerMetre[c] = rayleigh * single[c] + mie * single[Air.CHANNELS + c];
+            }
+        };
+    }
+
     @Override
     public int colours() {
         return 2;

@@ -2,6 +2,7 @@ package nephele.engine.atmosphere;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import nephele.engine.math.Vec3;
 
 /**
@@ -15,10 +16,20 @@ import nephele.engine.math.Vec3;
 public final class SkyLattice {
     private static final double STEP_DEGREES = 0.5;
     private static final int CHANNELS = Air.CHANNELS;
+    private static final int VALUES = ClearSky.PARTS * CHANNELS;
+    private static final int HEIGHTS = 65;
+    private static final int ROWS = LatticeRow.SKY + LatticeRow.GROUND;
+    private static final int AZIMUTHS = 21;
+    private static final int NEIGHBOURS = 4;
 
     private final AirTables tables;
     private final double firstDegrees;
-    private final Map<Integer, LatticeSheet> sheets = new ConcurrentHashMap<>();
+
+    /**
+     * The rows of nodes for each elevation of the sun, height by height. A row is integrated when it is first needed; two
+     * threads may integrate the same one, with the same result.
+     */
+    private final Map<Integer, AtomicReferenceArray<double[]>> sheets = new ConcurrentHashMap<>();
 
     /** @param sunCosine between the zenith and the sun where most paths are: an elevation with nodes */
     public SkyLattice(AirTables tables, double sunCosine) {
@@ -46,10 +57,10 @@ public final class SkyLattice {
         double steps = (degrees(sunCosine) - firstDegrees) / STEP_DEGREES;
         int before = (int) Math.floor(steps);
         double[] weights = weights(before, steps - before);
-        double[] parts = new double[LatticeSheet.VALUES];
+        double[] parts = new double[VALUES];
         for (int k = 0; k < weights.length; k++) {
             if (weights[k] != 0) {
-                sheet(before - 1 + k).add(height, row, azimuth, weights[k], parts);
+                add(before - 1 + k, height, row, azimuth, weights[k], parts);
             }
         }
         return light(row, between, parts);
@@ -74,8 +85,78 @@ public final class SkyLattice {
         return Math.max(-90, Math.min(90, firstDegrees + node * STEP_DEGREES));
     }
 
-    private LatticeSheet sheet(int node) {
-        return sheets.computeIfAbsent(node, key -> new LatticeSheet(tables, Math.sin(Math.toRadians(elevation(key)))));
+    /**
+     * Adds the interpolated values: the parts of the ground's light, the roots of those of the sky's.
+     *
+     * @param sun node of its elevation
+     * @param azimuth between direction and sun on the horizon, 0 to π
+     */
+    private void add(int sun, double height, LatticeRow row, double azimuth, double factor, double[] sum) {
+        AtomicReferenceArray<double[]> sheet =
+                sheets.computeIfAbsent(sun, key -> new AtomicReferenceArray<>(HEIGHTS * ROWS));
+        double[] ofHeight = new double[NEIGHBOURS];
+        double y = Math.sqrt(height / Air.TOP_METRES) * (HEIGHTS - 1);
+        int layer = CubicWeights.cell(y, HEIGHTS);
+        CubicWeights.put(y - layer, layer, HEIGHTS, ofHeight);
+        double[] ofRow = new double[NEIGHBOURS];
+        int elevation = CubicWeights.cell(row.place(), row.rows());
+        CubicWeights.put(row.place() - elevation, elevation, row.rows(), ofRow);
+        double[] ofAzimuth = new double[NEIGHBOURS];
+        double x = azimuth / Math.PI * (AZIMUTHS - 1);
+        int column = CubicWeights.cell(x, AZIMUTHS);
+        CubicWeights.put(x - column, ofAzimuth);
+        int first = (row.isSky() ? 0 : LatticeRow.SKY) + elevation - 1;
+        for (int j = 0; j < NEIGHBOURS; j++) {
+            for (int i = 0; i < NEIGHBOURS; i++) {
+                double weight = factor * ofHeight[j] * ofRow[i];
+                if (weight != 0) {
+                    addRow(nodes(sheet, sun, layer - 1 + j, first + i), column, ofAzimuth, weight, sum);
+                }
+            }
+        }
+    }
+
+    /** The light is the same on both sides of the plane through zenith and sun, so the azimuths continue mirrored. */
+    private static void addRow(double[] nodes, int column, double[] ofAzimuth, double weight, double[] sum) {
+        for (int k = 0; k < NEIGHBOURS; k++) {
+            int node = Math.abs(column - 1 + k);
+            node = Math.min(node, 2 * (AZIMUTHS - 1) - node);
+            double ofNode = weight * ofAzimuth[k];
+            for (int value = 0; value < VALUES; value++) {
+                sum[value] += ofNode * nodes[node * VALUES + value];
+            }
+        }
+    }
+
+    private double[] nodes(AtomicReferenceArray<double[]> sheet, int sun, int layer, int row) {
+        int at = layer * ROWS + row;
+        double[] known = sheet.get(at);
+        if (known == null) {
+            known = integrated(Math.sin(Math.toRadians(elevation(sun))), layer, row);
+            sheet.set(at, known);
+        }
+        return known;
+    }
+
+    private double[] integrated(double sunCosine, int layer, int row) {
+        double fraction = layer / (HEIGHTS - 1.0);
+        double height = Air.TOP_METRES * fraction * fraction;
+        boolean isSky = row < LatticeRow.SKY;
+        double sine = isSky ? LatticeRow.skySine(height, row) : LatticeRow.groundSine(height, row - LatticeRow.SKY);
+        double level = Math.sqrt(Math.max(0, (1 - sine * sine) * (1 - sunCosine * sunCosine)));
+        ClearSky sky = new ClearSky(tables);
+        AirRay ray = new AirRay(tables.air().shadowEdgeRadians(), 0);
+        double[] parts = new double[VALUES];
+        double[] nodes = new double[AZIMUTHS * VALUES];
+        for (int k = 0; k < AZIMUTHS; k++) {
+            double between = sine * sunCosine + level * Math.cos(Math.PI * k / (AZIMUTHS - 1));
+            ray.set(height, sine, sunCosine, Math.max(-1, Math.min(1, between)));
+            sky.put(ray, parts);
+            for (int value = 0; value < VALUES; value++) {
+                nodes[k * VALUES + value] = isSky ? Math.sqrt(Math.max(0, parts[value])) : parts[value];
+            }
+        }
+        return nodes;
     }
 
     private static double azimuth(double zenithCosine, double sunCosine, double between) {

@@ -115,8 +115,8 @@ public final class SkyTable {
     private double elevation(int row) {
         // The first rows are just above and below the horizon.
         if (row >= SKY_ROWS) {
-            double share = (row - SKY_ROWS) / (GROUND_ROWS - 1.0);
-            return Math.max(-1, horizon - Math.max(LEAST, (horizon + 1) * Math.pow(share, 4)));
+            double fraction = (row - SKY_ROWS) / (GROUND_ROWS - 1.0);
+            return Math.max(-1, horizon - Math.max(LEAST, (horizon + 1) * Math.pow(fraction, 4)));
         }
         double y = row / (SKY_ROWS - 1.0);
         double band = bandEnd - horizon;
@@ -159,7 +159,7 @@ public final class SkyTable {
         return heightMetres < LIMB_METRES ? BAND : 0;
     }
 
-    /** Returns the share of the sky's rows up to {@link #bandEnd}. */
+    /** Returns the fraction of the sky's rows up to {@link #bandEnd}. */
     public static double bandShare(double heightMetres) {
         return heightMetres < LIMB_METRES ? 0.5 : 0.85;
     }

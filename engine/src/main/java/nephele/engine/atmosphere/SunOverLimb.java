@@ -4,11 +4,11 @@ package nephele.engine.atmosphere;
  * The part of the sun's disc that the planet's limb, a straight line at this size, leaves visible, and two elevations
  * that stand for it: a function that is quadratic in elevation has the same mean over both as over the visible part.
  *
- * @param share of the disc that is visible, 0–1
+ * @param fraction of the disc that is visible, 0–1
  * @param lowSine of the lower elevation
  * @param highSine of the upper elevation
  */
-public record SunOverLimb(double share, double lowSine, double highSine) {
+public record SunOverLimb(double fraction, double lowSine, double highSine) {
     /** The angular radius of the sun, which is also the moon's. */
     public static final double RADIUS_RADIANS = Math.toRadians(0.2666);
 
@@ -17,11 +17,11 @@ public record SunOverLimb(double share, double lowSine, double highSine) {
     /** Higher up the light that passes the air is linear over the disc to some 1e-5. */
     private static final double HIGH_SINE = 0.35;
 
-    private static final double LEAST_SHARE = 1e-12;
+    private static final double LEAST_FRACTION = 1e-12;
 
     /** Returns what is visible of the sun from a height, where its middle has an elevation. */
-    public static SunOverLimb seen(double heightMetres, double sunSine) {
-        return seen(RADIUS_RADIANS, heightMetres, sunSine);
+    public static SunOverLimb of(double heightMetres, double sunSine) {
+        return of(RADIUS_RADIANS, heightMetres, sunSine);
     }
 
     /**
@@ -29,7 +29,7 @@ public record SunOverLimb(double share, double lowSine, double highSine) {
      *
      * @param radiusRadians 0 for a point, which is visible if the planet does not hide it
      */
-    public static SunOverLimb seen(double radiusRadians, double heightMetres, double sunSine) {
+    public static SunOverLimb of(double radiusRadians, double heightMetres, double sunSine) {
         if (sunSine > HIGH_SINE) {
             return new SunOverLimb(1, sunSine, sunSine);
         }
@@ -52,16 +52,16 @@ public record SunOverLimb(double share, double lowSine, double highSine) {
     private static SunOverLimb cut(double d, double radiusRadians, double sunSine, double sunCosine) {
         double half = Math.sqrt(Math.max(0, 1 - d * d));
         double angle = Math.asin(d);
-        double share = 0.5 + (d * half + angle) / Math.PI;
-        if (share < LEAST_SHARE) {
+        double fraction = 0.5 + (d * half + angle) / Math.PI;
+        if (fraction < LEAST_FRACTION) {
             return HIDDEN;
         }
         // First and second moment of the circular segment about the middle of the disc.
-        double mean = 2 / (3 * Math.PI) * half * half * half / share;
-        double second = (0.125 + (angle - d * half * (1 - 2 * d * d)) / (4 * Math.PI)) / share;
+        double mean = 2 / (3 * Math.PI) * half * half * half / fraction;
+        double second = (0.125 + (angle - d * half * (1 - 2 * d * d)) / (4 * Math.PI)) / fraction;
         double spread = Math.sqrt(Math.max(0, second - mean * mean));
         double low = radiusRadians * (mean - spread);
         double high = radiusRadians * (mean + spread);
-        return new SunOverLimb(share, sunSine + sunCosine * low, sunSine + sunCosine * high);
+        return new SunOverLimb(fraction, sunSine + sunCosine * low, sunSine + sunCosine * high);
     }
 }

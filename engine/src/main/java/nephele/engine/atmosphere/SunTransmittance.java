@@ -30,9 +30,9 @@ final class SunTransmittance {
         }
     }
 
-    private static double cosine(double radius, double toHorizon, double share) {
+    private static double cosine(double radius, double toHorizon, double fraction) {
         double nearest = TOP - radius;
-        double distance = nearest + share * (toHorizon + HORIZON_OF_TOP - nearest);
+        double distance = nearest + fraction * (toHorizon + HORIZON_OF_TOP - nearest);
         double square = (TOP - radius) * (TOP + radius) - distance * distance;
         // A table's ray must not end at the ground, which the last one touches.
         double horizon = -toHorizon / radius;

@@ -19,20 +19,20 @@ final class Sunlight {
     }
 
     /**
-     * Puts the share of the sun's irradiance that arrives on a plane perpendicular to the beam, for each wavelength.
+     * Puts the fraction of the sun's irradiance that arrives on a plane perpendicular to the beam, for each wavelength.
      *
      * @param sunSine of the elevation of the sun's middle
      */
     void put(double heightMetres, double sunSine, double[] irradiance) {
-        SunOverLimb disc = SunOverLimb.seen(radiusRadians, heightMetres, sunSine);
-        if (disc.share() == 0) {
+        SunOverLimb disc = SunOverLimb.of(radiusRadians, heightMetres, sunSine);
+        if (disc.fraction() == 0) {
             Arrays.fill(irradiance, 0);
             return;
         }
         air.putDepth(heightMetres, disc.lowSine(), depth);
         if (disc.lowSine() == disc.highSine()) {
             for (int c = 0; c < Air.CHANNELS; c++) {
-                irradiance[c] = disc.share() * Math.exp(-depth[c]);
+                irradiance[c] = disc.fraction() * Math.exp(-depth[c]);
             }
             return;
         }
@@ -40,7 +40,7 @@ final class Sunlight {
         for (int c = 0; c < Air.CHANNELS; c++) {
             // The mean of two exponentials is that of the mean exponent times a hyperbolic cosine.
             double middle = Math.exp(-0.5 * (depth[c] + depthHigh[c]));
-            irradiance[c] = disc.share() * middle * hyperbolicCosine(0.5 * (depth[c] - depthHigh[c]));
+            irradiance[c] = disc.fraction() * middle * hyperbolicCosine(0.5 * (depth[c] - depthHigh[c]));
         }
     }
 
@@ -49,13 +49,13 @@ final class Sunlight {
         return square < 0.01 ? 1 + square * (0.5 + square / 24) : Math.cosh(x);
     }
 
-    /** Puts the share of the sun's irradiance that arrives on level ground at height 0, for each wavelength. */
+    /** Puts the fraction of the sun's irradiance that arrives on level ground at height 0, for each wavelength. */
     void putOnGround(double sunSine, double[] irradiance) {
-        SunOverLimb disc = SunOverLimb.seen(radiusRadians, 0, sunSine);
+        SunOverLimb disc = SunOverLimb.of(radiusRadians, 0, sunSine);
         air.putDepth(0, disc.lowSine(), depth);
         air.putDepth(0, disc.highSine(), depthHigh);
         for (int c = 0; c < Air.CHANNELS; c++) {
-            irradiance[c] = disc.share()
+            irradiance[c] = disc.fraction()
                     * 0.5
                     * (disc.lowSine() * Math.exp(-depth[c]) + disc.highSine() * Math.exp(-depthHigh[c]));
         }

@@ -50,7 +50,7 @@ public record ChosenTechniques(List<Cloud> clouds, List<TechniqueChoice> choices
         Aabb bounds = columns.loaded().flat(index).bounds();
         double depth = columns.meanDepths().get(index);
         CloudSituation situation = CloudSituation.of(cloud, bounds, depth, reach, sunDegrees);
-        CloudForm only = CloudForm.only(cloud);
+        String only = CloudSituation.formOfOnly(cloud);
         return TechniqueChoice.of(cloud, table.knows(only) ? situation.as(only) : situation, table);
     }
 

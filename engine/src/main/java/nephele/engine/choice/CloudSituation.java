@@ -1,14 +1,20 @@
 package nephele.engine.choice;
 
+import java.util.Locale;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Cloud.Density;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.reach.EyeReach;
 
 /**
  * What the choice of a cloud's technique depends on.
  *
- * @param form the word of its form in the table of errors
+ * @param form its form in the table of errors, such as {@code layer cumulus}: whether the cloud is finite, and its
+ *     density
  * @param opticalDepth mean of its upright columns that have any
  * @param angularDegrees its least extent seen from where the eye is nearest: of a layer its thickness
  * @param sunDegrees elevation of the light
@@ -41,7 +47,7 @@ public record CloudSituation(
         double distance = nearest == null ? 0 : EyeReach.metresBetween(nearest.box(), met);
         double extent = extent(bounds);
         return new CloudSituation(
-                CloudForm.of(cloud).word(),
+                form(cloud),
                 opticalDepth,
                 2 * Math.toDegrees(Math.atan2(extent / 2, distance + extent / 2)),
                 sunDegrees,
@@ -71,9 +77,9 @@ public record CloudSituation(
     }
 
     /** Returns the situation of a cloud that the table knows under another form. */
-    CloudSituation as(CloudForm other) {
+    CloudSituation as(String other) {
         return new CloudSituation(
-                other.word(),
+                other,
                 opticalDepth,
                 angularDegrees,
                 sunDegrees,
@@ -82,5 +88,35 @@ public record CloudSituation(
                 travelMetres,
                 moves,
                 nearest);
+    }
+
+    /** Returns the form of a cloud. */
+    public static String form(Cloud cloud) {
+        String extent = cloud.extent() instanceof Cloud.Extent.Layer ? "layer " : "volume ";
+        return extent + density(cloud.density());
+    }
+
+    /** Returns the form of this very cloud, whatever its id, its technique and the allowed error. */
+    public static String formOfOnly(Cloud cloud) {
+        Cloud same = new Cloud(
+                "only",
+                cloud.extent(),
+                CloudTechnique.AUTO,
+                cloud.density(),
+                cloud.extinctionPerMetre(),
+                cloud.albedo(),
+                cloud.phaseG(),
+                cloud.backLobe(),
+                cloud.motion(),
+                cloud.shafts(),
+                Cloud.Tolerance.USUAL);
+        return "cloud " + Long.toHexString(Hash64.of(LevelJson.line(same)));
+    }
+
+    private static String density(Density density) {
+        if (density instanceof Density.Noise noise && noise.profile() != null) {
+            return noise.profile().name().toLowerCase(Locale.ROOT);
+        }
+        return density.getClass().getSimpleName().toLowerCase(Locale.ROOT);
     }
 }

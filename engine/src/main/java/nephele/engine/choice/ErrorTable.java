@@ -146,8 +146,8 @@ public final class ErrorTable {
     }
 
     /** Returns true if it has rows of a form. */
-    boolean knows(CloudForm form) {
-        return rows.stream().anyMatch(row -> row.form().equals(form.word()));
+    boolean knows(String form) {
+        return rows.stream().anyMatch(row -> row.form().equals(form));
     }
 
     /** Returns this table with other rows in the place of its own of the same form and technique. */

@@ -1,18 +1,15 @@
 package nephele.engine.choice;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.noise.CloudTables;
-import nephele.engine.level.Camera;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
-import nephele.engine.level.PlayerStart;
-import nephele.engine.level.PortalGun;
-import nephele.engine.level.PortalSpec;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.BoundingSphere;
 import nephele.engine.render.RenderFeatures;
@@ -31,13 +28,6 @@ import nephele.engine.sim.reach.EyeReach;
  * of one context share these decisions, and an edit that leaves their causes as they were repeats none.
  */
 public final class LevelRenderer {
-    /** What the clouds and their columns follow from. */
-    private record Causes(Identity assets, Environment environment) {}
-
-    /** What the places of an eye follow from. */
-    private record Places(
-            Identity statics, PlayerStart player, List<PortalSpec> portals, PortalGun gun, List<Camera> cameras) {}
-
     private LevelRenderer() {}
 
     /**
@@ -103,7 +93,7 @@ public final class LevelRenderer {
         Environment environment = scene.level().environment();
         return owned.shareValue(
                 CloudColumns.class,
-                new Causes(new Identity(scene.assets()), CloudTimeline.causes(environment)),
+                List.of(new Identity(scene.assets()), CloudTimeline.causes(environment)),
                 () -> CloudColumns.of(LoadedClouds.of(environment, scene.assets(), seed -> tables(owned, seed))));
     }
 
@@ -128,7 +118,7 @@ public final class LevelRenderer {
         Level level = scene.level();
         return owned.shareValue(
                 EyeReach.class,
-                new Places(
+                Arrays.asList(
                         new Identity(scene.statics()),
                         level.player(),
                         level.portals(),

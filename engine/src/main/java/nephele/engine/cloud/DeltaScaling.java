@@ -2,7 +2,7 @@ package nephele.engine.cloud;
 
 /**
  * A scattering medium whose forward peak counts as unscattered light (Joseph, Wiscombe and Weinman 1976, "The
- * Delta-Eddington Approximation for Radiative Flux Transfer", equations 5 and 13): a share f = g² of the scattered light
+ * Delta-Eddington Approximation for Radiative Flux Transfer", equations 5 and 13): a fraction f = g² of the scattered light
  * goes straight on. A medium that scatters backwards has no such peak and stays as it is, but that its asymmetry counts as
  * at least −⅔: beyond, the approximation reflects more than there is.
  *
@@ -14,30 +14,20 @@ public record DeltaScaling(double depthFactor, double albedo, double g) {
     private static final double LEAST_G = -2.0 / 3;
 
     /**
-     * Returns the scaled medium of one that scatters as Henyey and Greenstein's function.
-     *
-     * @param albedo 0 to 1
-     * @param g −1 to 1
-     */
-    public static DeltaScaling of(double albedo, double g) {
-        return of(albedo, g, g > 0 ? g * g : 0);
-    }
-
-    /**
      * Returns the scaled medium.
      *
      * @param albedo 0 to 1
      * @param g mean cosine of the scattering angle, −1 to 1
-     * @param forwardShare f, the share of scattered light that goes straight on, 0 to 1
+     * @param forwardFraction f, the fraction of scattered light that goes straight on, 0 to 1
      */
-    public static DeltaScaling of(double albedo, double g, double forwardShare) {
+    public static DeltaScaling of(double albedo, double g, double forwardFraction) {
         if (!(albedo >= 0 && albedo <= 1 && g >= -1 && g <= 1)) {
             throw new IllegalArgumentException("albedo " + albedo + " or asymmetry " + g + " is out of range");
         }
-        double factor = 1 - albedo * forwardShare;
+        double factor = 1 - albedo * forwardFraction;
         // Where everything goes straight on, nothing is left that scatters.
-        double scattered = factor > 0 ? albedo * (1 - forwardShare) / factor : 0;
-        double rest = forwardShare < 1 ? (g - forwardShare) / (1 - forwardShare) : 0;
+        double scattered = factor > 0 ? albedo * (1 - forwardFraction) / factor : 0;
+        double rest = forwardFraction < 1 ? (g - forwardFraction) / (1 - forwardFraction) : 0;
         return new DeltaScaling(factor, Math.min(1, scattered), Math.max(LEAST_G, rest));
     }
 }

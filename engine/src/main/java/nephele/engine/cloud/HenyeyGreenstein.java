@@ -23,8 +23,8 @@ public record HenyeyGreenstein(double g) implements PhaseFunction {
         return (1 - g) * (1 + g) / (4 * Math.PI * squared * Math.sqrt(squared));
     }
 
-    /** Returns the share of light that is scattered into the cone around its direction whose edge has a separation. */
-    public double shareWithin(double separation) {
+    /** Returns the fraction of light that is scattered into the cone around its direction whose edge has a separation. */
+    public double fractionWithin(double separation) {
         double distance = Math.sqrt((1 - g) * (1 - g) + g * separation);
         // The difference 1/(1 − g) − 1/distance of the integral, written so that neither it nor a division by g loses
         // digits.
@@ -37,11 +37,11 @@ public record HenyeyGreenstein(double g) implements PhaseFunction {
     }
 
     /**
-     * Returns the separation that a random direction exceeds with probability {@code share}: the inverse of the usual
+     * Returns the separation that a random direction exceeds with probability {@code fraction}: the inverse of the usual
      * distribution of cos θ, transformed so that nothing is divided by g.
      */
-    double separationAt(double share) {
-        double root = 1 - g + 2 * g * share;
-        return 4 * (1 - g) * (1 - g) * (1 - share) * (1 + g * share) / (root * root);
+    double separationAt(double fraction) {
+        double root = 1 - g + 2 * g * fraction;
+        return 4 * (1 - g) * (1 - g) * (1 - fraction) * (1 + g * fraction) / (root * root);
     }
 }

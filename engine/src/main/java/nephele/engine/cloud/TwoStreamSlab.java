@@ -61,12 +61,12 @@ public final class TwoStreamSlab {
         return new TwoStreamSlab(medium, opticalDepth, cosine);
     }
 
-    /** Returns the share that leaves the slab at its top. */
+    /** Returns the fraction that leaves the slab at its top. */
     public double reflectance() {
         return Math.max(0, fromTop);
     }
 
-    /** Returns the share that leaves the slab below, unscattered light included. */
+    /** Returns the fraction that leaves the slab below, unscattered light included. */
     public double transmittance() {
         return Math.max(0, sum(depth)) + beam(depth);
     }

@@ -48,12 +48,9 @@ final class ApertureCutter {
         }
     }
 
-    /** A portal that is open here, and the aperture volume that it removes. */
-    private record Opening(int portal, double reachMetres, ApertureVolume volume) {}
-
     /** Returns the static world with these portals open. */
     CollisionWorld open(long mask) {
-        List<Opening> openings = openings(mask, REACH_METRES, portals.size());
+        List<ApertureVolume> openings = openings(mask, REACH_METRES, portals.size());
         ItemList cut = new ItemList();
         List<Piece> pieces = new ArrayList<>();
         for (int item : touched(openings)) {
@@ -64,8 +61,8 @@ final class ApertureCutter {
                 pieces.addAll(left);
             }
         }
-        for (Opening opening : openings) {
-            pieces.addAll(otherSide(opening, opening.volume().bounds(), MOST_DEPTH));
+        for (ApertureVolume opening : openings) {
+            pieces.addAll(otherSide(opening, opening.bounds(), MOST_DEPTH));
         }
         List<Collider> colliders = new ArrayList<>();
         pieces.forEach(piece -> colliders.add(new Collider(piece.solidId(), piece.shape())));
@@ -89,9 +86,9 @@ final class ApertureCutter {
         return left.size() == 1 && left.get(0).shape() == whole.shape();
     }
 
-    private int[] touched(List<Opening> openings) {
+    private int[] touched(List<ApertureVolume> openings) {
         return openings.stream()
-                .flatMapToInt(opening -> within(opening.volume().bounds()))
+                .flatMapToInt(opening -> within(opening.bounds()))
                 .distinct()
                 .sorted()
                 .toArray();
@@ -106,9 +103,13 @@ final class ApertureCutter {
         return Arrays.stream(items);
     }
 
-    /** @param from the portal from which the reach is measured, or any index from the number of portals on for none */
-    private List<Opening> openings(long mask, double reachMetres, int from) {
-        List<Opening> openings = new ArrayList<>();
+    /**
+     * Returns the volumes of the portals that are open here.
+     *
+     * @param from the portal from which the reach is measured, or any index from the number of portals on for none
+     */
+    private List<ApertureVolume> openings(long mask, double reachMetres, int from) {
+        List<ApertureVolume> openings = new ArrayList<>();
         for (int i = 0; i < portals.size(); i++) {
             if (isIn(mask, i)) {
                 double reach = reachMetres - (from < portals.size() ? distance(from, i) : 0);
@@ -121,8 +122,7 @@ final class ApertureCutter {
                         shared.add(plane);
                     }
                 }
-                openings.add(new Opening(
-                        i, reach, ApertureVolume.behind(portals.portal(i), reach, groundStepMetres(i), shared)));
+                openings.add(new ApertureVolume(i, portals.portal(i), reach, groundStepMetres(i), shared));
             }
         }
         return openings;
@@ -132,17 +132,17 @@ final class ApertureCutter {
         return portal < Long.SIZE && (mask & 1L << portal) != 0;
     }
 
-    private static List<Piece> carved(List<Piece> pieces, List<Opening> openings) {
+    private static List<Piece> carved(List<Piece> pieces, List<ApertureVolume> openings) {
         List<Piece> rest = pieces;
-        for (Opening opening : openings) {
+        for (ApertureVolume opening : openings) {
             List<Piece> left = new ArrayList<>();
             for (Piece piece : rest) {
-                if (piece.shape().bounds().overlaps(opening.volume().bounds())) {
+                if (piece.shape().bounds().overlaps(opening.bounds())) {
                     List<ConvexPolyhedron> shapes = new ArrayList<>();
                     if (piece.isGround()) {
-                        opening.volume().carveGround(piece.shape(), shapes);
+                        opening.carveGround(piece.shape(), shapes);
                     } else {
-                        opening.volume().carve(piece.shape(), shapes);
+                        opening.carve(piece.shape(), shapes);
                     }
                     shapes.forEach(shape -> left.add(piece.with(shape)));
                 } else {
@@ -155,17 +155,17 @@ final class ApertureCutter {
     }
 
     /** Returns the solids beyond an opening, moved behind it, as far as they touch the box. */
-    private List<Piece> otherSide(Opening opening, Aabb box, int depth) {
+    private List<Piece> otherSide(ApertureVolume opening, Aabb box, int depth) {
         int partner = portals.partner(opening.portal());
         Aabb beyond = moved(box, portals.transform(opening.portal()));
         long inner = depth > 0 ? reached(partner, opening.reachMetres()) : 0;
-        List<Opening> further = openings(inner, opening.reachMetres(), partner);
+        List<ApertureVolume> further = openings(inner, opening.reachMetres(), partner);
         List<Piece> pieces = new ArrayList<>();
         within(beyond).mapToObj(this::piece).forEach(pieces::add);
         List<Piece> there = new ArrayList<>(carved(pieces, further));
-        for (Opening next : further) {
-            if (next.volume().bounds().overlaps(beyond)) {
-                there.addAll(otherSide(next, next.volume().bounds(), depth - 1));
+        for (ApertureVolume next : further) {
+            if (next.bounds().overlaps(beyond)) {
+                there.addAll(otherSide(next, next.bounds(), depth - 1));
             }
         }
         PortalTransform back = portals.transform(partner);
@@ -173,7 +173,7 @@ final class ApertureCutter {
         for (Piece piece : there) {
             List<ConvexPolyhedron> shapes = new ArrayList<>();
             if (reachesBefore(partner, piece.shape())) {
-                opening.volume().fill(back.polyhedron(piece.shape()), shapes);
+                opening.fill(back.polyhedron(piece.shape()), shapes);
             }
             shapes.forEach(shape -> here.add(piece.with(shape)));
         }

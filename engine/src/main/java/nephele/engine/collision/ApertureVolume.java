@@ -24,6 +24,8 @@ final class ApertureVolume {
     /** Portals whose unit normals differ by less face the same way. */
     private static final double SAME_DIRECTION_SINE = 0.05;
 
+    private final int portal;
+    private final double reachMetres;
     private final boolean isOnGround;
     private final Plane front;
     private final Plane frameEnd;
@@ -31,7 +33,17 @@ final class ApertureVolume {
     private final List<Plane> chamber;
     private final Aabb bounds;
 
-    private ApertureVolume(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
+    /**
+     * Makes the volume behind a portal.
+     *
+     * @param index of the portal
+     * @param reachMetres depth of the volume, and its margin around the aperture
+     * @param stepMetres how far the ground around lies below the portal, see {@link GroundSeat#stepMetres}
+     * @param shared planes that separate it from the volumes of other portals; it is on their negative side
+     */
+    ApertureVolume(int index, Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
+        this.portal = index;
+        this.reachMetres = reachMetres;
         front = behind(portal, 0);
         isOnGround = stepMetres >= 0;
         frameEnd = behind(portal, FRAME_METRES + Math.max(0, stepMetres));
@@ -47,15 +59,6 @@ final class ApertureVolume {
         chamber.add(lateral(portal, 0, -1, y));
         chamber.add(behind(portal, reachMetres).opposite());
         bounds = bounds(portal, x, y, reachMetres);
-    }
-
-    /**
-     * @param reachMetres depth of the volume, and its margin around the aperture
-     * @param stepMetres how far the ground around lies below the portal, see {@link GroundSeat#stepMetres}
-     * @param shared planes that separate it from the volumes of other portals; it is on their negative side
-     */
-    static ApertureVolume behind(Portal portal, double reachMetres, double stepMetres, List<Plane> shared) {
-        return new ApertureVolume(portal, reachMetres, stepMetres, shared);
     }
 
     /** Returns the plane at a distance behind the portal, with the portal's normal. */
@@ -89,6 +92,15 @@ final class ApertureVolume {
             corners.add(portal.world((i & 1) == 0 ? x : -x, (i & 2) == 0 ? y : -y, (i & 4) == 0 ? 0 : -reach));
         }
         return Aabb.of(corners);
+    }
+
+    /** Returns the index of the portal. */
+    int portal() {
+        return portal;
+    }
+
+    double reachMetres() {
+        return reachMetres;
     }
 
     Aabb bounds() {

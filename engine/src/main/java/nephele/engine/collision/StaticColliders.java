@@ -74,7 +74,7 @@ final class StaticColliders {
         if (model.solid() != null) {
             convex.add(place == IdentityDiff.NEW ? collider(model.solid()) : same(itemOfModel[place], model.solid()));
         } else if (place == IdentityDiff.NEW) {
-            sheets.addAll(Collider.triangles(model.said().id(), model.triangles()));
+            sheets.addAll(Collider.triangles(model.authored().id(), model.triangles()));
         } else {
             for (int i = 0; i < model.triangles().count(); i++) {
                 sheets.add(world.collider(itemOfModel[place] + i));

@@ -95,67 +95,29 @@ public record Billboards(
 
     /** Returns these billboards without wind. */
     public Billboards withoutWind() {
-        return copy(planted(), new Motion(frames, framesPerSecond, 0), look());
+        return RecordCopy.with(this, "windMetresPerSecond", 0.0);
     }
 
     /** Returns these billboards blended over what is behind them. */
     public Billboards asBlended() {
-        return copy(planted(), motion(), new Look(true, emission, colour));
+        return RecordCopy.with(this, "blended", true);
     }
 
     /** Returns these billboards with edges and, if it is not {@code null}, in one colour. */
     public Billboards withEdges(Vec3 oneColour) {
-        return copy(planted(), motion(), new Look(false, oneColour == null ? emission : Vec3.ZERO, oneColour));
+        Vec3 emitted = oneColour == null ? emission : Vec3.ZERO;
+        return RecordCopy.with(this, "blended", false, "emission", emitted, "colour", oneColour);
     }
 
     /** Returns these billboards over a field instead of the listed places, and in wind. */
     public Billboards over(Field otherField, double variation, double wind) {
-        return copy(new Planted(variation, List.of(), otherField), new Motion(frames, framesPerSecond, wind), look());
+        return RecordCopy.with(
+                this, "heightVariation", variation, "at", List.of(), "field", otherField, "windMetresPerSecond", wind);
     }
 
-    /** Returns these billboards, turned in another way. */
+    /** Returns these billboards with other axes. */
     public Billboards turned(Facing other) {
-        return copy(other, planted(), motion(), look());
-    }
-
-    private record Planted(double heightVariation, List<Vec3> at, Field field) {}
-
-    private record Motion(int frames, double framesPerSecond, double windMetresPerSecond) {}
-
-    private record Look(boolean blended, Vec3 emission, Vec3 colour) {}
-
-    private Planted planted() {
-        return new Planted(heightVariation, at, field);
-    }
-
-    private Motion motion() {
-        return new Motion(frames, framesPerSecond, windMetresPerSecond);
-    }
-
-    private Look look() {
-        return new Look(blended, emission, colour);
-    }
-
-    private Billboards copy(Planted where, Motion motion, Look look) {
-        return copy(facing, where, motion, look);
-    }
-
-    private Billboards copy(Facing turned, Planted where, Motion motion, Look look) {
-        return new Billboards(
-                id,
-                sprite,
-                colourKey,
-                turned,
-                sizeMetres,
-                where.heightVariation(),
-                where.at(),
-                where.field(),
-                motion.frames(),
-                motion.framesPerSecond(),
-                motion.windMetresPerSecond(),
-                look.blended(),
-                look.emission(),
-                look.colour());
+        return RecordCopy.with(this, "facing", other);
     }
 
     /** Returns true if they sway or their picture changes. */

@@ -1,5 +1,6 @@
 package nephele.engine.level;
 
+import java.util.Arrays;
 import nephele.engine.math.Vec3;
 
 /** A side of a box, named by its outward normal. */
@@ -17,6 +18,19 @@ public enum BoxFace {
     BoxFace(String text, Vec3 normal) {
         this.text = text;
         this.normal = normal;
+    }
+
+    /** Returns the side of a name, such as {@code +x}. */
+    public static BoxFace of(String text) {
+        return Arrays.stream(values())
+                .filter(side -> side.text.equals(text))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Returns 1 for the same side, −1 for the opposite one, 0 for another. */
+    public int dot(BoxFace other) {
+        return (int) normal.dot(other.normal);
     }
 
     /** Returns the side's name in a level file, such as {@code +x}. */

@@ -26,6 +26,10 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             boolean portalable,
             TextureMapping textureMapping,
             TexturePlacement texture) {
+        private BrushFace on(Plane itsPlane, List<Vec3> itsPolygon) {
+            return new BrushFace(name, itsPlane, itsPolygon, material, portalable, textureMapping, texture);
+        }
+
         private BrushFace refusingPortals() {
             return new BrushFace(name, plane, polygon, material, false, textureMapping, texture);
         }
@@ -35,8 +39,6 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             return new BrushFace(name, plane, polygon, material, portalable, textureMapping, other);
         }
     }
-
-    private record Named(String name, Plane plane, Solid.Face said) {}
 
     /**
      * Derives the shape of a solid.
@@ -48,13 +50,13 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             requirePositive(box.size());
             return assemble(solid, ConvexPolyhedron.box(Aabb.around(box.centre(), box.size())), boxFaces(box));
         }
-        List<Named> named = named(solid);
-        List<Plane> planes = named.stream().map(Named::plane).toList();
+        List<BrushFace> faces = faces(solid);
+        List<Plane> planes = faces.stream().map(BrushFace::plane).toList();
         boolean isPrism = solid instanceof Solid.Prism;
-        return assemble(solid, isPrism ? UprightPrism.of(planes) : ConvexPolyhedron.fromPlanes(planes), named);
+        return assemble(solid, isPrism ? UprightPrism.of(planes) : ConvexPolyhedron.fromPlanes(planes), faces);
     }
 
-    private static List<Named> named(Solid solid) {
+    private static List<BrushFace> faces(Solid solid) {
         if (solid instanceof Solid.Planes planes) {
             return planeFaces(planes);
         } else if (solid instanceof Solid.Wedge wedge) {
@@ -76,40 +78,43 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         return new Brush(solidId, shape, refusing);
     }
 
-    private static Brush assemble(Solid solid, ConvexPolyhedron shape, List<Named> named) {
-        List<BrushFace> faces = new ArrayList<>(shape.faces().size());
-        for (ConvexPolyhedron.Face face : shape.faces()) {
-            Named plane = named.get(face.planeIndex());
-            Solid.Face said = plane.said();
-            faces.add(new BrushFace(
-                    plane.name(),
-                    face.plane(),
-                    face.polygon(),
-                    said.material() == null ? solid.material() : said.material(),
-                    said.portalable() == null ? solid.portalable() : said.portalable(),
-                    solid.textureMapping(),
-                    said.texture()));
-        }
-        return new Brush(solid.id(), shape, faces);
+    /** @param planned the faces before their polygons are known */
+    private static Brush assemble(Solid solid, ConvexPolyhedron shape, List<BrushFace> planned) {
+        return new Brush(
+                solid.id(),
+                shape,
+                shape.faces().stream()
+                        .map(face -> planned.get(face.planeIndex()).on(face.plane(), face.polygon()))
+                        .toList());
     }
 
-    private static List<Named> boxFaces(Solid.Box box) {
-        List<Named> faces = new ArrayList<>(6);
+    private static List<BrushFace> boxFaces(Solid.Box box) {
+        List<BrushFace> faces = new ArrayList<>(6);
         for (BoxFace side : BoxFace.values()) {
-            faces.add(named(side.text(), null, box.faces().get(side)));
+            faces.add(face(box, side.text(), null, box.faces().get(side)));
         }
         return faces;
     }
 
-    private static Named named(String name, Plane plane, Solid.Face said) {
-        return new Named(name, plane, said == null ? Solid.Face.INHERITED : said);
+    /** @param authored {@code null} for a face that is as its solid says */
+    private static BrushFace face(Solid solid, String name, Plane plane, Solid.Face authored) {
+        Solid.Face own = authored == null ? Solid.Face.INHERITED : authored;
+        return new BrushFace(
+                name,
+                plane,
+                List.of(),
+                own.material() == null ? solid.material() : own.material(),
+                own.portalable() == null ? solid.portalable() : own.portalable(),
+                solid.textureMapping(),
+                own.texture());
     }
 
-    private static List<Named> planeFaces(Solid.Planes planes) {
-        List<Named> faces = new ArrayList<>();
+    private static List<BrushFace> planeFaces(Solid.Planes planes) {
+        List<BrushFace> faces = new ArrayList<>();
         for (int i = 0; i < planes.planes().size(); i++) {
             Solid.PlaneFace p = planes.planes().get(i);
-            faces.add(new Named(
+            faces.add(face(
+                    planes,
                     "planes[" + i + "]",
                     Plane.of(p.normal(), p.distanceMetres()),
                     new Solid.Face(p.material(), p.portalable(), p.texture())));
@@ -121,26 +126,28 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
      * Returns the box's sides without the top and the low side, and the slope from the low bottom edge to the high top
      * edge.
      */
-    private static List<Named> wedgeFaces(Solid.Wedge wedge) {
+    private static List<BrushFace> wedgeFaces(Solid.Wedge wedge) {
         requirePositive(wedge.size());
         Aabb box = Aabb.around(wedge.centre(), wedge.size());
         Vec3 high = wedge.rising().normal();
         if (high.y() != 0) {
             throw new IllegalArgumentException("a wedge rises towards a horizontal side: +x, -x, +z or -z");
         }
-        List<Named> faces = new ArrayList<>();
+        List<BrushFace> faces = new ArrayList<>();
         for (BoxFace side : BoxFace.values()) {
             Vec3 n = side.normal();
             boolean isLow = n.x() == -high.x() && n.z() == -high.z() && n.y() == 0;
             if (side != BoxFace.PLUS_Y && !isLow) {
-                faces.add(named(side.text(), sidePlane(box, n), wedge.faces().get(side.text())));
+                faces.add(face(
+                        wedge, side.text(), sidePlane(box, n), wedge.faces().get(side.text())));
             }
         }
         double run = high.x() != 0 ? wedge.size().x() : wedge.size().z();
         double rise = wedge.size().y();
         Vec3 slope = new Vec3(-high.x() * rise, run, -high.z() * rise);
         Plane unit = Plane.of(slope, 0);
-        faces.add(named(
+        faces.add(face(
+                wedge,
                 "slope",
                 new Plane(unit.nx(), unit.ny(), unit.nz(), unit.signedDistance(wedge.centre())),
                 wedge.faces().get("slope")));
@@ -154,19 +161,19 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         return new Plane(n.x(), n.y(), n.z(), n.x() * x + n.y() * y + n.z() * z);
     }
 
-    private static List<Named> prismFaces(Solid.Prism prism) {
+    private static List<BrushFace> prismFaces(Solid.Prism prism) {
         int mostSides = ConvexPolyhedron.MAX_PLANES - 2;
         boolean isBounded = prism.radiusMetres() > 0 && prism.heightMetres() > 0;
         if (!isBounded || prism.sides() < 3 || prism.sides() > mostSides) {
             throw new IllegalArgumentException(
                     "a prism needs a positive radius and height and 3 to " + mostSides + " sides");
         }
-        List<Named> faces = new ArrayList<>();
+        List<BrushFace> faces = new ArrayList<>();
         double y = prism.centre().y();
         Plane top = new Plane(0, 1, 0, y + prism.heightMetres() / 2);
         Plane bottom = new Plane(0, -1, 0, -(y - prism.heightMetres() / 2));
-        faces.add(named("+y", top, prism.faces().get("+y")));
-        faces.add(named("-y", bottom, prism.faces().get("-y")));
+        faces.add(face(prism, "+y", top, prism.faces().get("+y")));
+        faces.add(face(prism, "-y", bottom, prism.faces().get("-y")));
         double apothem = prism.radiusMetres() * StrictMath.cos(Math.PI / prism.sides());
         for (int i = 0; i < prism.sides(); i++) {
             double angle = 2 * Math.PI * i / prism.sides();
@@ -174,7 +181,8 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             double nz = StrictMath.sin(angle);
             double distance = nx * prism.centre().x() + nz * prism.centre().z() + apothem;
             String name = "side " + i;
-            faces.add(named(name, new Plane(nx, 0, nz, distance), prism.faces().get(name)));
+            faces.add(face(
+                    prism, name, new Plane(nx, 0, nz, distance), prism.faces().get(name)));
         }
         return faces;
     }

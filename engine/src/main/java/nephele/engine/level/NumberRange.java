@@ -1,6 +1,7 @@
 package nephele.engine.level;
 
 import java.util.List;
+import java.util.function.DoubleFunction;
 import java.util.stream.Collectors;
 import nephele.engine.math.Vec3;
 
@@ -22,12 +23,6 @@ public record NumberRange(List<Stretch> stretches, double leastReach) {
         private double nearest(double number) {
             return Math.max(min, Math.min(max, number));
         }
-    }
-
-    /** Writes a number as its reader writes numbers. */
-    @FunctionalInterface
-    public interface NumberWriter {
-        String text(double number);
     }
 
     /** Returns what an annotation states. */
@@ -77,12 +72,13 @@ public record NumberRange(List<Stretch> stretches, double leastReach) {
      *
      * @param from format of an interval, of its least and its greatest number as texts: {@code "from %s to %s"}
      * @param or between two intervals: {@code " or "}
+     * @param writer writes a number as its reader writes numbers
      */
-    public String text(String from, String or, NumberWriter writer) {
+    public String text(String from, String or, DoubleFunction<String> writer) {
         return stretches.stream()
                 .map(stretch -> stretch.min() == stretch.max()
-                        ? writer.text(stretch.min())
-                        : String.format(from, writer.text(stretch.min()), writer.text(stretch.max())))
+                        ? writer.apply(stretch.min())
+                        : String.format(from, writer.apply(stretch.min()), writer.apply(stretch.max())))
                 .collect(Collectors.joining(or));
     }
 }

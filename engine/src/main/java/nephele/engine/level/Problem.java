@@ -7,19 +7,14 @@ import nephele.engine.math.Vec3;
 /**
  * A problem of a level.
  *
+ * @param isError true if the level cannot be played with it, false for a warning
  * @param path JSON path such as {@code solids[3].size}; {@code $} is the whole file
  * @param subject what it is about, for programs that show or repair it
  */
-public record Problem(Severity severity, String path, String message, Subject subject) {
+public record Problem(boolean isError, String path, String message, Subject subject) {
     public Problem {
         path = MessageText.shortened(path);
         message = MessageText.shortened(message);
-    }
-
-    /** Severity of a problem: a level with an ERROR cannot be played, one with a WARNING can. */
-    public enum Severity {
-        ERROR,
-        WARNING
     }
 
     /** The kind of a problem, for programs that offer a remedy. */
@@ -56,11 +51,11 @@ public record Problem(Severity severity, String path, String message, Subject su
 
     /** Returns a problem that prevents play. */
     public static Problem error(String path, String message) {
-        return new Problem(Severity.ERROR, path, message, Subject.GENERAL);
+        return new Problem(true, path, message, Subject.GENERAL);
     }
 
     public static Problem warning(String path, String message) {
-        return new Problem(Severity.WARNING, path, message, Subject.GENERAL);
+        return new Problem(false, path, message, Subject.GENERAL);
     }
 
     /** Returns this problem with a topic. */
@@ -70,16 +65,11 @@ public record Problem(Severity severity, String path, String message, Subject su
 
     /** Returns this problem with another subject. */
     public Problem about(Subject other) {
-        return new Problem(severity, path, message, other);
-    }
-
-    /** Returns true if the problem prevents play. */
-    public boolean isError() {
-        return severity == Severity.ERROR;
+        return new Problem(isError, path, message, other);
     }
 
     /** Returns {@code file: json.path: message}. */
     public String line(String file) {
-        return file + ": " + path + ": " + (isError() ? "" : "warning: ") + message;
+        return file + ": " + path + ": " + (isError ? "" : "warning: ") + message;
     }
 }

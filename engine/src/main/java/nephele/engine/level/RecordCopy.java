@@ -10,10 +10,29 @@ import java.util.Arrays;
  * or chooses, not for those of a frame or a tick.
  */
 public final class RecordCopy {
-    private static final ClassValue<Form> FORMS = new ClassValue<>() {
+    private static final ClassValue<RecordComponent[]> COMPONENTS = new ClassValue<>() {
         @Override
-        protected Form computeValue(Class<?> type) {
-            return Form.of(type);
+        protected RecordComponent[] computeValue(Class<?> type) {
+            RecordComponent[] components = type.getRecordComponents();
+            Arrays.stream(components)
+                    .forEach(component -> component.getAccessor().setAccessible(true));
+            return components;
+        }
+    };
+
+    private static final ClassValue<Constructor<?>> CONSTRUCTORS = new ClassValue<>() {
+        @Override
+        protected Constructor<?> computeValue(Class<?> type) {
+            Class<?>[] types = Arrays.stream(COMPONENTS.get(type))
+                    .map(RecordComponent::getType)
+                    .toArray(Class<?>[]::new);
+            try {
+                Constructor<?> constructor = type.getDeclaredConstructor(types);
+                constructor.setAccessible(true);
+                return constructor;
+            } catch (NoSuchMethodException e) {
+                throw new IllegalStateException(e);
+            }
         }
     };
 
@@ -27,14 +46,14 @@ public final class RecordCopy {
      *     record's own constructor throws
      */
     public static <R extends Record> R with(R record, Object... changes) {
-        Form form = FORMS.get(record.getClass());
+        RecordComponent[] components = COMPONENTS.get(record.getClass());
         try {
-            Object[] values = new Object[form.components.length];
+            Object[] values = new Object[components.length];
             for (int i = 0; i < values.length; i++) {
-                values[i] = form.components[i].getAccessor().invoke(record);
+                values[i] = components[i].getAccessor().invoke(record);
             }
             for (int i = 0; i < changes.length; i += 2) {
-                values[form.index((String) changes[i])] = changes[i + 1];
+                values[index(components, (String) changes[i])] = changes[i + 1];
             }
             @SuppressWarnings("unchecked")
             Class<R> type = (Class<R>) record.getClass();
@@ -51,7 +70,7 @@ public final class RecordCopy {
      */
     public static <R extends Record> R of(Class<R> type, Object... values) {
         try {
-            return type.cast(FORMS.get(type).constructor.newInstance(values));
+            return type.cast(CONSTRUCTORS.get(type).newInstance(values));
         } catch (InvocationTargetException e) {
             throw e.getCause() instanceof RuntimeException refused ? refused : new IllegalStateException(e.getCause());
         } catch (ReflectiveOperationException e) {
@@ -59,30 +78,13 @@ public final class RecordCopy {
         }
     }
 
-    private record Form(RecordComponent[] components, Constructor<?> constructor) {
-        static Form of(Class<?> type) {
-            var components = type.getRecordComponents();
-            Arrays.stream(components)
-                    .forEach(component -> component.getAccessor().setAccessible(true));
-            Class<?>[] types =
-                    Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
-            try {
-                var constructor = type.getDeclaredConstructor(types);
-                constructor.setAccessible(true);
-                return new Form(components, constructor);
-            } catch (NoSuchMethodException e) {
-                throw new IllegalStateException(e);
+    private static int index(RecordComponent[] components, String name) {
+        for (int i = 0; i < components.length; i++) {
+            if (components[i].getName().equals(name)) {
+                return i;
             }
         }
-
-        int index(String name) {
-            for (int i = 0; i < components.length; i++) {
-                if (components[i].getName().equals(name)) {
-                    return i;
-                }
-            }
-            throw new IllegalArgumentException(
-                    constructor.getDeclaringClass().getSimpleName() + " has no component " + name);
-        }
+        throw new IllegalArgumentException(
+                components[0].getDeclaringRecord().getSimpleName() + " has no component " + name);
     }
 }

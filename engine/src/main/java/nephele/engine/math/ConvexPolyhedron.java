@@ -308,4 +308,51 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         }
         return doubled / 2;
     }
+
+    /** Returns the volume in m³, as the sum of tetrahedra from one corner, so that the place does not matter. */
+    public double volumeCubicMetres() {
+        Vec3 origin = vertices.get(0);
+        double sixfold = 0;
+        for (Face face : faces) {
+            List<Vec3> ring = face.polygon();
+            Vec3 a = ring.get(0).minus(origin);
+            for (int i = 2; i < ring.size(); i++) {
+                Vec3 b = ring.get(i - 1).minus(origin);
+                Vec3 c = ring.get(i).minus(origin);
+                sixfold += a.dot(b.cross(c));
+            }
+        }
+        return sixfold / 6;
+    }
+
+    /** Returns the least extent in metres perpendicular to a face. */
+    public double thicknessMetres() {
+        double thickness = Double.POSITIVE_INFINITY;
+        for (Face face : faces) {
+            double depth = 0;
+            for (Vec3 corner : vertices) {
+                depth = Math.max(depth, -face.plane().signedDistance(corner));
+            }
+            thickness = Math.min(thickness, depth);
+        }
+        return thickness;
+    }
+
+    /** Returns the area of all faces in m². */
+    public double surfaceSquareMetres() {
+        return faces.stream()
+                .mapToDouble(face -> areaSquareMetres(face.polygon()))
+                .sum();
+    }
+
+    /** Returns the area of a convex polygon in m². */
+    public static double areaSquareMetres(List<Vec3> ring) {
+        Vec3 doubled = Vec3.ZERO;
+        Vec3 origin = ring.get(0);
+        for (int i = 2; i < ring.size(); i++) {
+            doubled =
+                    doubled.plus(ring.get(i - 1).minus(origin).cross(ring.get(i).minus(origin)));
+        }
+        return doubled.length() / 2;
+    }
 }

@@ -24,7 +24,7 @@ public enum ColourVision {
     }
 
     private double channel(int row, double red, double green, double blue) {
-        double seen = map[3 * row] * red + map[3 * row + 1] * green + map[3 * row + 2] * blue;
-        return Math.max(0, Math.min(1, seen));
+        double perceived = map[3 * row] * red + map[3 * row + 1] * green + map[3 * row + 2] * blue;
+        return Math.max(0, Math.min(1, perceived));
     }
 }

@@ -20,12 +20,12 @@ public record ErrorMap(int width, int height, float[] error) {
     /**
      * Returns a quantile of the error.
      *
-     * @param share fraction of the pixels that have at most this error, 0–1
+     * @param fraction of the pixels that have at most this error, 0–1
      */
-    public double quantile(double share) {
+    public double quantile(double fraction) {
         float[] sorted = error.clone();
         Arrays.sort(sorted);
-        return sorted[(int) Math.min(sorted.length - 1L, (long) (share * sorted.length))];
+        return sorted[(int) Math.min(sorted.length - 1L, (long) (fraction * sorted.length))];
     }
 
     /** Returns the maximum of both maps for each pixel. */

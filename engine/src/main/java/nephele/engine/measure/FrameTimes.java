@@ -42,10 +42,10 @@ public record FrameTimes(
     }
 
     /** Returns the nearest-rank percentile of the first {@code count} values, in milliseconds. */
-    public static double percentileMs(long[] nanos, int count, double share) {
+    public static double percentileMs(long[] nanos, int count, double fraction) {
         var sorted = Arrays.copyOf(nanos, count);
         Arrays.sort(sorted);
-        int rank = (int) Math.ceil(share * count);
+        int rank = (int) Math.ceil(fraction * count);
         return sorted[Math.max(0, rank - 1)] / 1e6;
     }
 }

@@ -31,8 +31,8 @@ public record BoundingSphere(Vec3 centre, double radius) {
                 bestSquared = squared;
                 best.set(centre);
             }
-            double share = 1.0 / (step + 1);
-            centre.lerp(new Vector3d(positions[farthest], positions[farthest + 1], positions[farthest + 2]), share);
+            double fraction = 1.0 / (step + 1);
+            centre.lerp(new Vector3d(positions[farthest], positions[farthest + 1], positions[farthest + 2]), fraction);
         }
         return new BoundingSphere(Vec3.of(best), Math.sqrt(bestSquared) * (1 + 1e-12));
     }

@@ -15,7 +15,7 @@ public final class ModelText {
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
     private static final int LONGEST_WORD = 256;
-    private static final int MOST_SHOWN = 64;
+    private static final int MOST_QUOTED = 64;
 
     private final String file;
     private final byte[] bytes;
@@ -126,7 +126,7 @@ public final class ModelText {
     }
 
     public ModelFileException notACoordinate(int where, float value) {
-        return wrongAt(where, NumberFormatting.of(value) + " is no coordinate", "keep within a million units");
+        return wrongAt(where, MessageText.number(value) + " is no coordinate", "keep within a million units");
     }
 
     float number(String word) {
@@ -158,9 +158,9 @@ public final class ModelText {
 
     /** Returns a word of a file for a message, in quotation marks; only its beginning if it is long. */
     public static String quoted(String word) {
-        boolean isLong = word.codePointCount(0, word.length()) > MOST_SHOWN;
-        String shown = isLong ? word.substring(0, word.offsetByCodePoints(0, MOST_SHOWN)) + "…" : word;
-        return '"' + MessageText.printable(shown) + '"';
+        boolean isLong = word.codePointCount(0, word.length()) > MOST_QUOTED;
+        String start = isLong ? word.substring(0, word.offsetByCodePoints(0, MOST_QUOTED)) + "…" : word;
+        return '"' + MessageText.printable(start) + '"';
     }
 
     private float nextNumber(int before) {

@@ -3,9 +3,11 @@ package nephele.engine.particle;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RayCast;
 import nephele.engine.level.Emitter;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 
@@ -14,10 +16,16 @@ public final class LevelParticles {
     /** What sways, spreads or is wide leaves the box by at most this fraction of its longest edge, and a metre. */
     private static final double BEYOND_BOX = 0.75;
 
+    private static final int SKY_RAYS = 64;
+    private static final double FARTHEST_METRES = 1e4;
+    private static final double GOLDEN_TURNS = 0.6180339887498949;
+
     private final List<Emitter> emitters;
     private final List<EmitterParticles> particles = new ArrayList<>();
     private final List<Aabb> bounds = new ArrayList<>();
-    private final EmitterSurroundings surroundings;
+    private final CollisionWorld world;
+    private final RayCast cast = new RayCast();
+    private final Ray ray = Ray.reusable();
     private final ParticleArrays arrays;
     private double evaluated = Double.NaN;
     private Portals portals = Portals.NONE;
@@ -29,8 +37,7 @@ public final class LevelParticles {
      */
     public LevelParticles(List<Emitter> emitters, StaticShapes statics) {
         this.emitters = List.copyOf(emitters);
-        CollisionWorld world = CollisionWorld.of(statics);
-        surroundings = new EmitterSurroundings(world);
+        world = CollisionWorld.of(statics);
         double capacity = 0;
         for (Emitter emitter : emitters) {
             particles.add(new EmitterParticles(emitter, world));
@@ -63,9 +70,28 @@ public final class LevelParticles {
         return emitters;
     }
 
-    /** Returns what the level hides from emitters. */
-    public EmitterSurroundings surroundings() {
-        return surroundings;
+    /** Returns the fraction of the upper hemisphere in which no static surface hides the sky from the middle of an emitter. */
+    public double skyFraction(int emitter) {
+        int open = 0;
+        for (int i = 0; i < SKY_RAYS; i++) {
+            double y = (i + 0.5) / SKY_RAYS;
+            double level = Math.sqrt(1 - y * y);
+            double turns = i * GOLDEN_TURNS;
+            open += isOpen(emitters.get(emitter).centre(), level * Waves.cosine(turns), y, level * Waves.sine(turns))
+                    ? 1
+                    : 0;
+        }
+        return (double) open / SKY_RAYS;
+    }
+
+    /** Returns true if no static surface is in a direction from the middle of an emitter. */
+    public boolean sees(int emitter, Vec3 unitDirection) {
+        return isOpen(emitters.get(emitter).centre(), unitDirection.x(), unitDirection.y(), unitDirection.z());
+    }
+
+    private boolean isOpen(Vec3 from, double x, double y, double z) {
+        ray.aim(from.x(), from.y(), from.z(), x, y, z);
+        return !cast.cast(world, ray, FARTHEST_METRES);
     }
 
     /** Takes the portals that exist from now on: rain falls into open ones. */

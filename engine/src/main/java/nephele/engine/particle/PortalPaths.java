@@ -22,6 +22,8 @@ final class PortalPaths {
 
     private static final int CELLS = 10;
     private static final int MOST_LEGS = 4;
+    private static final double FINAL_SPEED = Emitter.RAIN_METRES_PER_SECOND;
+    private static final double DRAG_PER_SECOND = ParticleLaw.GRAVITY / FINAL_SPEED;
     private static final double PIECE_SECONDS = 1.0 / 40;
     private static final double FROM_WALL_METRES = 2e-3;
 
@@ -33,7 +35,10 @@ final class PortalPaths {
     /** The portal at the end of a leg; {@link Portals#CLOSED} where a surface ends it, or the time. */
     private final int[] next = new int[CELLS * CELLS * MOST_LEGS];
 
-    private final Ballistics leg = new Ballistics();
+    /** Where the present leg begins, and the velocity there. */
+    private final Vector3d legPlace = new Vector3d();
+
+    private final Vector3d legVelocity = new Vector3d();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
     private final Vector3d step = new Vector3d();
@@ -66,8 +71,8 @@ final class PortalPaths {
             ends[at] = end(world, left, at);
             left -= ends[at];
             through = next[at];
-            leg.velocity(ends[at], velocity);
-            leg.place(ends[at], place);
+            velocityOnLeg(ends[at], velocity);
+            placeOnLeg(ends[at], place);
         }
     }
 
@@ -76,16 +81,34 @@ final class PortalPaths {
         portals.transform(portal).point(place);
         portals.transform(portal).direction(velocity);
         Vec3 out = portals.portal(portals.partner(portal)).normal();
-        leg.begin(place.fma(FROM_WALL_METRES, out.toVector()), velocity);
+        legPlace.set(place.fma(FROM_WALL_METRES, out.toVector()));
+        legVelocity.set(velocity);
+    }
+
+    /**
+     * Puts the place on the present leg: drag in proportion to the difference from the final velocity brings a drop back to
+     * that, v(t) = v_f + (v_0 − v_f) e^(−kt) with k = g / |v_f|.
+     */
+    private Vector3d placeOnLeg(double seconds, Vector3d out) {
+        double left = -Math.expm1(-DRAG_PER_SECOND * seconds) / DRAG_PER_SECOND;
+        return out.set(
+                legPlace.x + legVelocity.x * left,
+                legPlace.y - FINAL_SPEED * seconds + (legVelocity.y + FINAL_SPEED) * left,
+                legPlace.z + legVelocity.z * left);
+    }
+
+    private Vector3d velocityOnLeg(double seconds, Vector3d out) {
+        double left = Math.exp(-DRAG_PER_SECOND * seconds);
+        return out.set(legVelocity.x * left, (legVelocity.y + FINAL_SPEED) * left - FINAL_SPEED, legVelocity.z * left);
     }
 
     private double end(CollisionWorld world, double most, int at) {
         RayCast cast = new RayCast();
         Ray ray = Ray.reusable();
         PortalCrossing crossing = new PortalCrossing();
-        Vector3d from = leg.place(0, new Vector3d());
+        Vector3d from = placeOnLeg(0, new Vector3d());
         for (double seconds = 0; seconds < most; seconds += PIECE_SECONDS) {
-            leg.place(seconds + PIECE_SECONDS, step).sub(from);
+            placeOnLeg(seconds + PIECE_SECONDS, step).sub(from);
             double metres = step.length();
             ray.aim(from.x, from.y, from.z, step.x / metres, step.y / metres, step.z / metres);
             double free = cast.cast(world, ray, metres) ? cast.distance() : Double.POSITIVE_INFINITY;
@@ -142,13 +165,13 @@ final class PortalPaths {
             int onward = next[MOST_LEGS * nearest + i];
             double end = end(across, up, nearest, i);
             if (left < end || onward == Portals.CLOSED || i == MOST_LEGS - 1) {
-                leg.place(Math.min(left, end), out);
-                leg.velocity(Math.min(left, end), speed);
+                placeOnLeg(Math.min(left, end), out);
+                velocityOnLeg(Math.min(left, end), speed);
                 return left - end;
             }
             left -= end;
-            leg.place(end, place);
-            leg.velocity(end, velocity);
+            placeOnLeg(end, place);
+            velocityOnLeg(end, velocity);
             through = onward;
         }
     }

@@ -26,8 +26,4 @@ final class Waves {
         double t = Math.min(1, Math.max(0, (x - from) / (to - from)));
         return t * t * (3 - 2 * t);
     }
-
-    static double mix(double a, double b, double fraction) {
-        return a + (b - a) * fraction;
-    }
 }

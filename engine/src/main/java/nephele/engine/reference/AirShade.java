@@ -63,8 +63,8 @@ final class AirShade {
         for (int part = 0; part < PARTS; part++) {
             double at = from + random.nextDouble() * (distances[part] - from);
             Ray ray = Ray.of(eye.addScaled(at, direction), light.towards());
-            double share = 1 - clouds.shafts().transmittance(ray, 0, clouds.reachMetres(ray), random);
-            taken = taken.addScaled(share, upTo[part].minus(before));
+            double fraction = 1 - clouds.shafts().transmittance(ray, 0, clouds.reachMetres(ray), random);
+            taken = taken.addScaled(fraction, upTo[part].minus(before));
             before = upTo[part];
             from = distances[part];
         }
@@ -75,8 +75,8 @@ final class AirShade {
     private static double[] distances(double metres) {
         double[] distances = new double[PARTS];
         for (int part = 0; part < PARTS; part++) {
-            double share = (part + 1.0) / PARTS;
-            distances[part] = metres * share * share;
+            double fraction = (part + 1.0) / PARTS;
+            distances[part] = metres * fraction * fraction;
         }
         return distances;
     }

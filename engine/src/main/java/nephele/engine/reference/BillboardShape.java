@@ -1,5 +1,7 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
@@ -7,6 +9,8 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.billboard.AlphaCoverage;
 import nephele.engine.level.billboard.FacingAxes;
 import nephele.engine.level.billboard.PlantedBillboards;
+import nephele.engine.level.billboard.Sprite;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -21,10 +25,9 @@ import org.joml.Vector3dc;
 final class BillboardShape implements TracedShape {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SIDE = new Vec3(1, 0, 0);
-    private static final SurfacePoint.Leaves LEAVES =
-            new SurfacePoint.Leaves(PlantedBillboards.THROUGH, PlantedBillboards.BETWEEN_LEAVES);
 
     private final PlantedBillboards.Group group;
+    private final int number;
     private final int index;
     private final Picture picture;
     private final ColourDecoding decoding;
@@ -35,26 +38,63 @@ final class BillboardShape implements TracedShape {
     private final double halfHeight;
 
     /**
+     * @param number of the group in the level
+     * @param index of the billboard in its group
      * @param quarterTurns of a crossed one's image: 0 or 1
      * @param observer the place that it faces; {@code null} for the origin of each ray
      */
-    BillboardShape(
+    private BillboardShape(
             PlantedBillboards.Group group,
+            int number,
             int index,
             int quarterTurns,
             Picture picture,
             ColourDecoding decoding,
             Vec3 observer) {
         this.group = group;
+        this.number = number;
         this.index = index;
         this.picture = picture;
         this.decoding = decoding;
         turn = group.turn(index) + quarterTurns * StrictMath.PI / 2;
-        Billboards.Size size = group.said().sizeMetres();
+        Billboards.Size size = group.authored().sizeMetres();
         halfWidth = size.width() * group.scale(index) / 2;
         halfHeight = size.height() * group.scale(index) / 2;
         this.observer = observer;
         middle = group.feet().get(index).plus(new Vec3(0, halfHeight, 0));
+    }
+
+    /** Returns the images of all billboards with edges, in the order of the level; blended ones are not traced, as particles. */
+    static List<BillboardShape> of(PlacedLevel placed, ColourDecoding decoding, double seconds) {
+        List<BillboardShape> shapes = new ArrayList<>();
+        Vec3 observer = placed.level().observerStart();
+        PlantedBillboards planted = PlantedBillboards.of(placed.level(), placed.statics(), placed.assets());
+        for (int number = 0; number < planted.groups().size(); number++) {
+            PlantedBillboards.Group group = planted.groups().get(number);
+            if (group.authored().blended()) {
+                continue;
+            }
+            Sprite sprite = Sprite.of(group.authored(), placed.assets());
+            int images = group.authored().facing() == Facing.CROSSED ? 2 : 1;
+            for (int i = 0; i < images * group.feet().size(); i++) {
+                int index = i / images;
+                Picture picture = sprite.frames().get(frame(group, index, seconds));
+                shapes.add(new BillboardShape(group, number, index, i % images, picture, decoding, observer));
+            }
+        }
+        return shapes;
+    }
+
+    /** Returns the frame that is drawn at a time. */
+    private static int frame(PlantedBillboards.Group group, int index, double seconds) {
+        int frames = group.authored().frames();
+        double moved = seconds * group.authored().framesPerSecond();
+        return (int) Math.floorMod((long) Math.floor(moved + group.phase(index) * frames), (long) frames);
+    }
+
+    /** Returns the number of its group in the level. */
+    int number() {
+        return number;
     }
 
     /** A place on the image; right and up are −1 to 1. */
@@ -63,9 +103,9 @@ final class BillboardShape implements TracedShape {
     /** Returns the place where a ray meets the image's opaque part; {@code null} if it does not. */
     private Spot spot(Ray ray) {
         Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
-        Facing facing = group.said().facing() == Facing.SCREEN
+        Facing facing = group.authored().facing() == Facing.SCREEN
                 ? Facing.SPHERICAL
-                : group.said().facing();
+                : group.authored().facing();
         Vec3 towards = observer == null ? direction.negated() : observer.minus(middle);
         FacingAxes axes = FacingAxes.of(facing, towards, SIDE, UP, turn);
         Vec3 front = axes.front();
@@ -89,8 +129,8 @@ final class BillboardShape implements TracedShape {
         return between(upper, lower, y - row);
     }
 
-    private static double between(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double between(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 
     /** Returns a stored value; of colours the linear one, on the same scale. */
@@ -133,14 +173,14 @@ final class BillboardShape implements TracedShape {
                 .addScaled(PlantedBillboards.BULGE * spot.up(), spot.axes().up())
                 .toVector()
                 .normalize();
-        Vec3 colour = group.said().colour() != null
-                ? group.said().colour()
+        Vec3 colour = group.authored().colour() != null
+                ? group.authored().colour()
                 : new Vec3(
                         sample(spot.right(), spot.up(), 0) / 255,
                         sample(spot.right(), spot.up(), 1) / 255,
                         sample(spot.right(), spot.up(), 2) / 255);
-        Vec3 emission = group.said().emission().times(colour);
+        Vec3 emission = group.authored().emission().times(colour);
         return new SurfacePoint(
-                path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission, LEAVES);
+                path.item(), place, normal, normal, normal, colour.toVector(), null, toEye, emission, true);
     }
 }

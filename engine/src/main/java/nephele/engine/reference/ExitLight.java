@@ -91,8 +91,8 @@ final class ExitLight {
             double metres = begin + (i + 0.5) * step;
             Vec3 emission = curtain.emissionPerMetre(segment.origin().addScaled(metres, segment.direction()));
             Vector3d light = emission.toVector().mul(step * radiancePerDisplay);
-            double share = level.fogTransmittance(segment, segment.metresBefore() + metres);
-            radiance.add(light.mul(segment.tint()).mul(air).mul(share));
+            double fraction = level.fogTransmittance(segment, segment.metresBefore() + metres);
+            radiance.add(light.mul(segment.tint()).mul(air).mul(fraction));
         }
     }
 }

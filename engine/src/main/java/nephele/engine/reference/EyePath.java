@@ -31,7 +31,7 @@ final class EyePath {
 
     private final TracedItems surfaces;
     private final Portals portals;
-    private final ReflectingFaces mirrors;
+    private final FaceMaterials solids;
     private final List<Reflected> reflected = new ArrayList<>();
     private final List<Segment> segments = new ArrayList<>();
     private final Vector3d tint = new Vector3d();
@@ -49,7 +49,7 @@ final class EyePath {
      * A mirror on the path.
      *
      * @param before the part of the path that ends at it
-     * @param lost share of light that all mirrors before it transmit and that it absorbs
+     * @param lost fraction of light that all mirrors before it transmit and that it absorbs
      */
     record Reflected(Segment before, Vector3dc lost) {
         /** Returns the length of the path from the eye to the mirror. */
@@ -77,9 +77,9 @@ final class EyePath {
         }
     }
 
-    EyePath(TracedItems surfaces, Portals portals, ReflectingFaces mirrors) {
+    EyePath(TracedItems surfaces, Portals portals, FaceMaterials solids) {
         this.surfaces = surfaces;
-        this.mirrors = mirrors;
+        this.solids = solids;
         this.portals = portals;
     }
 
@@ -137,20 +137,19 @@ final class EyePath {
 
     /** Reflects the path if it hits a mirror. */
     private boolean isReflected() {
-        if (!mirrors.mayBe(hit.item())) {
+        if (!solids.has(hit.item())) {
             return false;
         }
         int face = ((TracedSolid) surfaces.shape(hit.item())).face(ray);
-        ReflectingFaces.Face mirror = mirrors.at(hit.item(), face);
-        if (mirror == null) {
+        if (!solids.isMirror(hit.item(), face)) {
             return false;
         }
         Vector3d before = new Vector3d(tint);
-        tint.mul(mirror.tint().toVector());
+        tint.mul(solids.mirrorTint(hit.item(), face).toVector());
         reflected.add(new Reflected(lastSegment(), before.sub(tint)));
         pathHash = Hash64.combine(Hash64.combine(pathHash, ~hit.item()), face);
         origin.set(ray.at(hit.distance()).toVector());
-        new Reflection(Vec3.ZERO, mirror.normal()).direction(direction);
+        new Reflection(Vec3.ZERO, solids.normal(hit.item(), face)).direction(direction);
         return true;
     }
 

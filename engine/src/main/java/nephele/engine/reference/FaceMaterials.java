@@ -10,18 +10,24 @@ import nephele.engine.reference.MaterialTextures.Skin;
 import nephele.engine.reference.MaterialTextures.Spot;
 import org.joml.Vector3dc;
 
-/** The materials of all faces of all solids. */
+/** The materials of all faces of all solids. Immutable. */
 final class FaceMaterials {
-    private final List<List<Face>> faces;
+    static final FaceMaterials NONE = new FaceMaterials(new Face[0][]);
+
+    private final Face[][] faces;
 
     private record Face(Vector3dc normal, FaceTexture texture, Vector3dc across, Vector3dc up, Skin skin) {}
 
-    FaceMaterials(List<Brush> brushes, MaterialTextures textures) {
-        faces = brushes.stream()
+    private FaceMaterials(Face[][] faces) {
+        this.faces = faces;
+    }
+
+    static FaceMaterials of(List<Brush> brushes, MaterialTextures textures) {
+        return new FaceMaterials(brushes.stream()
                 .map(brush -> brush.faces().stream()
                         .map(face -> face(face, textures.skin(face.material())))
-                        .toList())
-                .toList();
+                        .toArray(Face[]::new))
+                .toArray(Face[][]::new));
     }
 
     private static Face face(BrushFace face, Skin skin) {
@@ -34,13 +40,33 @@ final class FaceMaterials {
                 skin);
     }
 
+    /** Returns true if an item is a solid of these. */
+    boolean has(int item) {
+        return item < faces.length;
+    }
+
+    /** Returns true if a face of a solid is a mirror. */
+    boolean isMirror(int solid, int face) {
+        return faces[solid][face].skin.material().mirror();
+    }
+
+    /** Returns the factor of a mirror on radiance, linear RGB. */
+    Vec3 mirrorTint(int solid, int face) {
+        return faces[solid][face].skin.material().baseColour();
+    }
+
+    /** Returns the outward unit normal of a face. */
+    Vec3 normal(int solid, int face) {
+        return Vec3.of(faces[solid][face].normal);
+    }
+
     /**
      * Returns a point of a solid's surface.
      *
      * @param toEye unit
      */
     SurfacePoint at(int solid, int faceIndex, Vec3 place, Vector3dc toEye) {
-        Face face = faces.get(solid).get(faceIndex);
+        Face face = faces[solid][faceIndex];
         FaceTexture texture = face.texture;
         Spot spot = new Spot(texture.s(place), texture.t(place), face.across, face.up);
         return MaterialTextures.covered(new Bare(solid, place, face.normal, toEye), face.skin, spot);

@@ -31,8 +31,8 @@ final class GroundShape implements TracedShape {
     GroundShape(StaticShape.HeightGrid grid) {
         this.grid = grid;
         field = grid.field();
-        layers = TerrainLayers.of(grid.said());
-        paint = grid.painted().map(map -> new LayerPaint(grid.said(), map));
+        layers = TerrainLayers.of(grid.authored());
+        paint = grid.painted().map(map -> new LayerPaint(grid.authored(), map));
     }
 
     @Override
@@ -76,7 +76,7 @@ final class GroundShape implements TracedShape {
         Vec3 smooth = HeightFieldSurface.normal(field, place.x(), place.z());
         Mixture mixture = new Mixture(smooth);
         double[] weights = new double[layers.count()];
-        layers.weights(place.y() - grid.said().centre().y(), smooth.y(), weights);
+        layers.weights(place.y() - grid.authored().centre().y(), smooth.y(), weights);
         paint.ifPresent(over -> over.over(place.x(), place.z(), weights));
         for (int i = 0; i < weights.length; i++) {
             if (weights[i] > 0) {
@@ -115,9 +115,9 @@ final class GroundShape implements TracedShape {
 
         void add(double weight, Skin skin, Vec3 place) {
             for (int axis = 0; axis < GroundProjections.COUNT; axis++) {
-                double share = projections.share(axis);
-                if (share > 0) {
-                    add(weight * share, skin, place, axis);
+                double fraction = projections.weight(axis);
+                if (fraction > 0) {
+                    add(weight * fraction, skin, place, axis);
                 }
             }
         }
@@ -154,7 +154,7 @@ final class GroundShape implements TracedShape {
             normal.normalize();
             Brdf gloss = isGlossy ? Brdf.of(colour, roughness, metallic, normal.dot(toEye)) : null;
             return new SurfacePoint(
-                    item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission), null);
+                    item, place, normal, smooth, faceNormal, colour, gloss, toEye, Vec3.of(emission), false);
         }
     }
 }

@@ -124,7 +124,7 @@ final class Illumination {
 
     /** Returns a random number whose mean is the fraction of light that passes the clouds before a place. */
     double passedByClouds(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
-        return cover.share(place, towardsLight, metres, random);
+        return cover.fraction(place, towardsLight, metres, random);
     }
 
     /** Returns the origin of shadow rays. Far from the world's origin the spacing of doubles exceeds the usual lift. */
@@ -139,9 +139,10 @@ final class Illumination {
         if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
-            double share =
-                    sun.castsShadow() ? cover.share(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random()) : 1;
-            sum.add(surface.sunlit(towardsSun).mul(sun.irradiance().toVector()).mul(share));
+            double fraction = sun.castsShadow()
+                    ? cover.fraction(origin, towardsSun, Double.POSITIVE_INFINITY, sample.random())
+                    : 1;
+            sum.add(surface.sunlit(towardsSun).mul(sun.irradiance().toVector()).mul(fraction));
         }
     }
 
@@ -153,18 +154,18 @@ final class Illumination {
             PixelSample sample,
             Vector3d sum) {
         PunctualLight light = lights.get(index);
-        Vector3d way = light.position().toVector().sub(origin);
-        double distance = way.length();
-        if (distance >= light.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
+        Vector3d toLight = light.position().toVector().sub(origin);
+        double distance = toLight.length();
+        if (distance >= light.rangeMetres() || surface.faceNormal().dot(toLight) <= 0) {
             return;
         }
         Vector3d irradiance = light.irradianceAt(surface.place());
         boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
         boolean casts = light.source().castsShadow();
-        if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, way, 1, surface.item()))) {
-            way.div(distance);
-            double share = casts ? cover.share(origin, way, distance, sample.random()) : 1;
-            sum.add(surface.reflected(way).mul(irradiance).mul(share));
+        if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, toLight, 1, surface.item()))) {
+            toLight.div(distance);
+            double fraction = casts ? cover.fraction(origin, toLight, distance, sample.random()) : 1;
+            sum.add(surface.reflected(toLight).mul(irradiance).mul(fraction));
         }
     }
 

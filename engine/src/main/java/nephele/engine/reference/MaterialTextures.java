@@ -112,7 +112,7 @@ final class MaterialTextures {
                 gloss,
                 bare.toEye(),
                 material.emission(),
-                null);
+                false);
     }
 
     private static Brdf gloss(Material material, Vector3dc colour, double roughnessFactor, double cosine) {

@@ -16,11 +16,10 @@ final class SampleSequence {
     /** Tells the seeds of random streams from that of the points. */
     private static final long STREAMS = 1;
 
-    /** The uses of points. */
-    enum Use {
-        PIXEL,
-        SKY
-    }
+    /** Coordinates of the noise that shifts the points of a pixel's square, and those of its rays to the sky. */
+    private static final int PIXEL = 0;
+
+    private static final int SKY = 2;
 
     /**
      * A point of the unit square.
@@ -44,7 +43,7 @@ final class SampleSequence {
 
         /** Returns the position in its pixel. */
         Point inPixel() {
-            return point(Use.PIXEL, column, row, index);
+            return point(PIXEL, column, row, index);
         }
 
         /**
@@ -53,7 +52,7 @@ final class SampleSequence {
          * @param ray less than {@link Illumination#SKY_RAYS}
          */
         Point sky(int ray) {
-            return point(Use.SKY, column, row, index * Illumination.SKY_RAYS + ray);
+            return point(SKY, column, row, index * Illumination.SKY_RAYS + ray);
         }
 
         /** Returns the sample's own random numbers, for random walks through clouds. */
@@ -78,10 +77,9 @@ final class SampleSequence {
         return new PixelSample(column, row, index);
     }
 
-    Point point(Use use, int column, int row, int index) {
-        int first = 2 * use.ordinal();
-        double x = noise.unit(column, row, first) + (index + 1) / STEP_ROOT;
-        double y = noise.unit(column, row, first + 1) + (index + 1) / (STEP_ROOT * STEP_ROOT);
+    private Point point(int use, int column, int row, int index) {
+        double x = noise.unit(column, row, use) + (index + 1) / STEP_ROOT;
+        double y = noise.unit(column, row, use + 1) + (index + 1) / (STEP_ROOT * STEP_ROOT);
         return new Point(x - Math.floor(x), y - Math.floor(y));
     }
 }

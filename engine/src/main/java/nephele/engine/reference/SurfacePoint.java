@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.Reflectance;
+import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -18,7 +19,7 @@ import org.joml.Vector3dc;
  * @param gloss {@code null} for a Lambert surface
  * @param toEye unit
  * @param emission emitted radiance
- * @param leaves {@code null} for a surface that lets no light through
+ * @param leaves whether it is a billboard's leaves, on which the sun shines from all sides
  */
 record SurfacePoint(
         int item,
@@ -30,15 +31,7 @@ record SurfacePoint(
         Reflectance gloss,
         Vector3dc toEye,
         Vec3 emission,
-        Leaves leaves) {
-    /**
-     * Leaves that a billboard stands for; the sun shines on them from all sides.
-     *
-     * @param through length by which the unit normal is turned towards the sun before both are made a unit again
-     * @param between share of the sun's light that those receive on the mean which lie behind others
-     */
-    record Leaves(double through, double between) {}
-
+        boolean leaves) {
     /** Returns this point as light's transport demands it: it reflects as much backwards along any path as forwards. */
     SurfacePoint reciprocal() {
         return gloss instanceof Brdf drawn
@@ -58,17 +51,19 @@ record SurfacePoint(
 
     /** Returns true if the surface faces the sun, or lets its light through. */
     boolean isTowards(Vector3dc sun) {
-        return leaves != null || faceNormal.dot(sun) > 0;
+        return leaves || faceNormal.dot(sun) > 0;
     }
 
     /** Returns the radiance towards the eye per irradiance of the sun on a plane perpendicular to its light. */
     Vector3d sunlit(Vector3dc sun) {
-        if (leaves == null) {
+        if (!leaves) {
             return reflected(sun);
         }
-        double cosine =
-                new Vector3d(normal).fma(leaves.through, sun).normalize().dot(sun);
-        return new Vector3d(albedo).mul(leaves.between * Math.max(cosine, 0) / Math.PI);
+        double cosine = new Vector3d(normal)
+                .fma(PlantedBillboards.THROUGH, sun)
+                .normalize()
+                .dot(sun);
+        return new Vector3d(albedo).mul(PlantedBillboards.BETWEEN_LEAVES * Math.max(cosine, 0) / Math.PI);
     }
 
     /** Returns the radiance towards the eye per irradiance on a plane perpendicular to the light. */

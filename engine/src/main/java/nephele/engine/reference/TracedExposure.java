@@ -41,7 +41,7 @@ public final class TracedExposure {
         int threads = Runtime.getRuntime().availableProcessors();
         TraceSettings settings = new TraceSettings(WIDTH, HEIGHT, SAMPLES, 1, threads);
         PlacedLevel then = new PlacedLevel(Daylight.lit(placed.level(), seconds), placed.assets(), placed.statics());
-        float[] rgb = ReferencePicture.trace(TracedLevel.of(then, decoding, seconds), eye, settings, share -> {});
+        float[] rgb = ReferencePicture.trace(TracedLevel.of(then, decoding, seconds), eye, settings, fraction -> {});
         Exposure metered = Exposure.ofStops(AutoExposure.stops(environment, rgb, WIDTH));
         Level level = placed.level();
         return placed.edited(level.with(environment.with(metered), level.lights()));

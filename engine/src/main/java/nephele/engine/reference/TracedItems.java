@@ -37,7 +37,7 @@ final class TracedItems {
             StaticShapes statics,
             List<BodyPiece> pieces,
             int bodies,
-            TracedBillboards billboards,
+            List<BillboardShape> billboards,
             List<TriangleMeshShape.Planted> plants) {
         List<TracedShape> all = new ArrayList<>();
         List<TracedShape> tracedModels = new ArrayList<>();
@@ -52,14 +52,15 @@ final class TracedItems {
         all.addAll(pieces);
         all.addAll(tracedModels);
         all.addAll(tracedGrounds);
-        all.addAll(billboards.shapes());
+        all.addAll(billboards);
         all.addAll(plants);
         items = all.toArray(TracedShape[]::new);
         surfaces = Stream.of(
                         IntStream.range(0, solids),
                         pieces.stream().mapToInt(piece -> solids + piece.body()),
                         IntStream.range(0, models + grounds).map(other -> solids + bodies + other),
-                        billboards.groups().stream().mapToInt(group -> solids + bodies + models + grounds + group),
+                        billboards.stream()
+                                .mapToInt(billboard -> solids + bodies + models + grounds + billboard.number()),
                         plants.stream().mapToInt(plant -> solids + bodies + plant.model()))
                 .flatMapToInt(numbers -> numbers)
                 .toArray();

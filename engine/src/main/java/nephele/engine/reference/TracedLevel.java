@@ -34,7 +34,6 @@ public final class TracedLevel {
     private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
-    private final ReflectingFaces mirrors;
     private final EmissiveFaces emissive;
     private final Optional<SunDisc> disc;
     private final ExitLight exits;
@@ -48,12 +47,11 @@ public final class TracedLevel {
                 statics,
                 BodyPiece.of(level, portals),
                 level.bodies().size(),
-                TracedBillboards.of(placed, decoding, seconds),
+                BillboardShape.of(placed, decoding, seconds),
                 TriangleMeshShape.Planted.of(placed));
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
-                new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
-        mirrors = ReflectingFaces.of(statics.solids(), textures);
+                FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         emissive = new EmissiveFaces(statics.solids(), textures);
         disc = SunDisc.of(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
@@ -93,12 +91,12 @@ public final class TracedLevel {
     Tracer tracer(Pinhole eye, LightTransport transport) {
         var shadows = new Shafts.ShadowRays(rays, shafts);
         PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
-        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), shadows, bounced);
+        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
     /** Returns a finder of paths for one thread. */
     EyePath path(boolean passesPortals) {
-        return new EyePath(rays, passesPortals ? portals : Portals.NONE, mirrors);
+        return new EyePath(rays, passesPortals ? portals : Portals.NONE, looks.solids());
     }
 
     /** Returns the portals that light passes. */
@@ -122,7 +120,7 @@ public final class TracedLevel {
     }
 
     /**
-     * Returns the share of a light from outside the level that passes the clouds on its way to a place, as the mean of
+     * Returns the fraction of a light from outside the level that passes the clouds on its way to a place, as the mean of
      * random estimates.
      *
      * @param towardsLight unit
@@ -149,7 +147,7 @@ public final class TracedLevel {
 
     /** Returns an object for one thread that finds visible surfaces. */
     public VisibleSurface sight(Pinhole eye) {
-        return new VisibleSurface(rays, new EyePath(rays, portals, mirrors), eye);
+        return new VisibleSurface(rays, new EyePath(rays, portals, looks.solids()), eye);
     }
 
     Illumination light() {
@@ -170,7 +168,7 @@ public final class TracedLevel {
     }
 
     /**
-     * Returns the share of light that passes the fog.
+     * Returns the fraction of light that passes the fog.
      *
      * @param segment the part of the path that ends at the light
      * @param metres length of the path
@@ -197,23 +195,23 @@ public final class TracedLevel {
         if (air.isEmpty()) {
             return radiance;
         }
-        Vector3d seen = air.get().over(radiance, place, direction.toVector(), metres);
+        Vector3d arriving = air.get().over(radiance, place, direction.toVector(), metres);
         Vec3 eye = place.addScaled(-metres, direction);
-        shade.ifPresent(all -> seen.sub(all.taken(eye, direction, metres, random)));
-        return seen;
+        shade.ifPresent(all -> arriving.sub(all.taken(eye, direction, metres, random)));
+        return arriving;
     }
 
     /** Returns what an eye sees at a path's end where nothing is. */
     Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
         Vector3d away = new Vector3d(path.direction()).normalize();
-        Vector3d seen = sky(eyeHeight, away);
+        Vector3d arriving = sky(eyeHeight, away);
         shade.ifPresent(
-                all -> seen.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
-        return seen;
+                all -> arriving.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
+        return arriving;
     }
 
     /**
-     * Returns the share of the light of a place that passes the air, for each channel.
+     * Returns the fraction of the light of a place that passes the air, for each channel.
      *
      * @param direction unit vector from the eye, at the place
      * @param metres length of the path

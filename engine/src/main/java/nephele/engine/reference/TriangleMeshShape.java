@@ -128,7 +128,8 @@ final class TriangleMeshShape implements TracedShape {
                 toWorld.apply(smooth).toVector(),
                 toWorld.apply(mesh.faceNormal(triangle)).toVector(),
                 toEye);
-        return MaterialTextures.covered(bare, looks.textures().skin(model.said().material()), spot);
+        return MaterialTextures.covered(
+                bare, looks.textures().skin(model.authored().material()), spot);
     }
 
     /** A model of a field: the triangles of its kind, turned about the vertical, scaled and moved. */
@@ -160,7 +161,7 @@ final class TriangleMeshShape implements TracedShape {
             List<Planted> all = new ArrayList<>();
             for (Plant plant : planted.plants()) {
                 PlacedModel model = models.get(plant.model());
-                if (model.said().isPlanted()) {
+                if (model.authored().isPlanted()) {
                     all.add(new Planted(kinds.computeIfAbsent(plant.kind(), none -> shape(model)), plant));
                 }
             }
@@ -171,7 +172,7 @@ final class TriangleMeshShape implements TracedShape {
             WorldTriangles triangles = WorldTriangles.of(model.mesh(), model.worldFromModel());
             return new TriangleMeshShape(new PlacedModel(
                     model.index(),
-                    model.said(),
+                    model.authored(),
                     model.mesh(),
                     model.worldFromModel(),
                     triangles,

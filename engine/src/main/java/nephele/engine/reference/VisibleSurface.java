@@ -13,7 +13,7 @@ public final class VisibleSurface {
     /** The depth difference that a rendered picture cannot resolve. */
     private static final double SAME_METRES = 1e-5;
 
-    /** The share of the distance to a light by which shadow rays start above the surface. */
+    /** The fraction of the distance to a light by which shadow rays start above the surface. */
     private static final double LIFT = 1e-7;
 
     private final TracedItems rays;
@@ -25,7 +25,7 @@ public final class VisibleSurface {
     VisibleSurface(TracedItems rays, EyePath path, Pinhole eye) {
         this.rays = rays;
         this.path = path;
-        straight = new EyePath(rays, Portals.NONE, ReflectingFaces.NONE);
+        straight = new EyePath(rays, Portals.NONE, FaceMaterials.NONE);
         this.eye = eye;
         from = eye.eye().toVector();
     }
@@ -69,18 +69,18 @@ public final class VisibleSurface {
      * Returns true if light reaches the end point of the last {@link #at}, moved by a small shift: other items cast
      * shadows unmoved, the lit item does not shade itself if it is convex.
      *
-     * @param way vector to the light from the unmoved point
-     * @param limit share of the way that counts; infinite for the sun
+     * @param toLight vector to the light from the unmoved point
+     * @param limit fraction of the distance that counts; infinite for the sun
      */
-    public boolean isLit(Vec3 shift, Vec3 way, double limit) {
+    public boolean isLit(Vec3 shift, Vec3 toLight, double limit) {
         Vec3 p = place();
         Ray ray = new Ray(
-                p.x() + shift.x() + LIFT * way.x(),
-                p.y() + shift.y() + LIFT * way.y(),
-                p.z() + shift.z() + LIFT * way.z(),
-                way.x() - (limit == 1 ? shift.x() : 0),
-                way.y() - (limit == 1 ? shift.y() : 0),
-                way.z() - (limit == 1 ? shift.z() : 0));
+                p.x() + shift.x() + LIFT * toLight.x(),
+                p.y() + shift.y() + LIFT * toLight.y(),
+                p.z() + shift.z() + LIFT * toLight.z(),
+                toLight.x() - (limit == 1 ? shift.x() : 0),
+                toLight.y() - (limit == 1 ? shift.y() : 0),
+                toLight.z() - (limit == 1 ? shift.z() : 0));
         return rays.blocker(ray, limit, rays.withoutOwnShade(path.item())) < 0;
     }
 

@@ -10,9 +10,13 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.AutoExposure;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Writes the pictures of render targets to files. */
+/** The pictures of render targets and of linear radiance as images and files. */
 public final class Capture {
     private Capture() {}
 
@@ -29,6 +33,32 @@ public final class Capture {
                 row[x] = (rgba.get(at) & 0xff) << 16 | (rgba.get(at + 1) & 0xff) << 8 | rgba.get(at + 2) & 0xff;
             }
             image.setRGB(0, y, width, 1, row, 0, width);
+        }
+        return image;
+    }
+
+    /**
+     * Returns the picture that the engine displays for linear radiance; exposure auto is metered from it.
+     *
+     * @param rgb linear radiance, the bottom row first
+     */
+    public static BufferedImage toneMapped(float[] rgb, int width, Environment environment, Output output) {
+        int height = rgb.length / 3 / width;
+        double exposure = Math.pow(2, AutoExposure.stops(environment, rgb, width));
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int code = 0;
+                double dither = output == Output.PLAIN ? 0 : ToneMapping.ditherOffset(x, y);
+                for (int channel = 0; channel < 3; channel++) {
+                    double radiance = rgb[3 * (y * width + x) + channel];
+                    double displayed = output == Output.PLAIN
+                            ? radiance
+                            : ToneMapping.displayValue(radiance, exposure, environment.toneCurve());
+                    code = code << 8 | (int) Math.rint(Math.min(Math.max(255 * displayed + dither, 0), 255));
+                }
+                image.setRGB(x, height - 1 - y, code);
+            }
         }
         return image;
     }

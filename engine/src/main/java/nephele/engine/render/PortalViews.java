@@ -2,9 +2,9 @@ package nephele.engine.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Deepest;
 import nephele.engine.render.RenderSettings.Narrowing;
-import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.NestedViews;
@@ -202,8 +202,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        ClearColour seen = environment.clearColour(node.view());
-        target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
+        Vec3 behind = environment.clearColour(node.view());
+        target.clearWithinScissor(behind.x(), behind.y(), behind.z());
         drawPasses(node, frameState, target, pictureCopies);
         copy(target, own);
         gl.state().noScissor();
@@ -238,10 +238,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void drawPasses(ViewNode node, FrameState frameState, RenderTarget surface, ViewCopies viewCopies) {
-        VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
+        VisibleSet solids = scene.solids().isEmpty() ? null : visible(node);
         FrameContext context = context(node.depth());
         context.begin(frameState, surface);
-        context.setView(node.view(), node, seen, settings.limits(node));
+        context.setView(node.view(), node, solids, settings.limits(node));
         passes.drawView(context, viewCopies);
     }
 
@@ -252,7 +252,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         return contexts.get(depth);
     }
 
-    private VisibleSet see(ViewNode node) {
+    private VisibleSet visible(ViewNode node) {
         while (visible.size() <= node.depth()) {
             visible.add(new VisibleSet(scene.solids()));
         }

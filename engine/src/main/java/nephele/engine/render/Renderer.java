@@ -2,7 +2,7 @@ package nephele.engine.render;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import nephele.engine.render.frame.ClearColour;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.DrawnScene;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -241,8 +241,8 @@ public final class Renderer implements AutoCloseable {
             // another one.
             portals.drawPictures(frameState, surface, drawn);
         }
-        ClearColour behind = resources.environment().clearColour();
-        drawn.clear(behind.red(), behind.green(), behind.blue());
+        Vec3 behind = resources.environment().clearColour();
+        drawn.clear(behind.x(), behind.y(), behind.z());
     }
 
     /** Draws the views only to meter them: what shows values of the display in them needs the exposure. */

@@ -7,7 +7,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Problem;
@@ -132,9 +131,9 @@ final class AssetRules {
 
     private void grid(String path, String id, Cloud.Extent extent) {
         try {
-            VoxelGrid grid = VolFile.parse(id, assets.bytes(id));
+            VoxelGrid grid = VoxelGrid.read(id, assets.bytes(id));
             if (extent instanceof Cloud.Extent.Layer) {
-                VolFile.requireArea(id, grid.box());
+                VoxelGrid.requireArea(id, grid.box());
             }
         } catch (AssetException problem) {
             report.accept(Problem.error(path, problem.getMessage()).about(Topic.MISSING_ASSET));

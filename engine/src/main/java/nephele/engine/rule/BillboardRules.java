@@ -11,9 +11,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
-import nephele.engine.level.billboard.BillboardField;
-import nephele.engine.level.billboard.FieldGrounds;
-import nephele.engine.level.billboard.Ground;
+import nephele.engine.level.billboard.FieldPlanting;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
@@ -101,23 +99,23 @@ final class BillboardRules {
     }
 
     private static void room(Level level, AssetSource assets, Consumer<Problem> report) {
-        Optional<FieldGrounds> grounds = grounds(level, assets);
-        if (grounds.isPresent()) {
+        Optional<FieldPlanting> planting = planting(level, assets);
+        if (planting.isPresent()) {
             LevelRule.each(
                     "billboards",
                     level.billboards(),
-                    (path, group) -> room(path + ".field", group.field(), grounds.get(), assets, report));
+                    (path, group) -> room(path + ".field", group.field(), planting.get(), assets, report));
             LevelRule.each(
                     "models",
                     level.models(),
-                    (path, model) -> room(path + ".field", model.field(), grounds.get(), assets, report));
+                    (path, model) -> room(path + ".field", model.field(), planting.get(), assets, report));
         }
     }
 
     /** Returns nothing if a file cannot be read, which other rules report. */
-    private static Optional<FieldGrounds> grounds(Level level, AssetSource assets) {
+    private static Optional<FieldPlanting> planting(Level level, AssetSource assets) {
         try {
-            return Optional.of(new FieldGrounds(StaticShapes.of(level, assets)));
+            return Optional.of(new FieldPlanting(StaticShapes.of(level, assets)));
         } catch (AssetException | IllegalArgumentException reportedElsewhere) {
             return Optional.empty();
         }
@@ -125,17 +123,12 @@ final class BillboardRules {
 
     /** @param field {@code null} for things that are not planted */
     private static void room(
-            String path, Billboards.Field field, FieldGrounds grounds, AssetSource assets, Consumer<Problem> report) {
-        Ground ground = field == null ? null : grounds.of(field);
-        if (ground != null) {
-            room(path, field, ground, assets, report);
+            String path, Billboards.Field field, FieldPlanting planting, AssetSource assets, Consumer<Problem> report) {
+        if (field == null || !planting.hasGround(field)) {
+            return;
         }
-    }
-
-    private static void room(
-            String path, Billboards.Field field, Ground ground, AssetSource assets, Consumer<Problem> report) {
         try {
-            int fit = BillboardField.plant(field, ground, assets).size();
+            int fit = planting.plant(field, assets).size();
             if (fit < field.count()) {
                 report.accept(Problem.error(
                         path + ".count",

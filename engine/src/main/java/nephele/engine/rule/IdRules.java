@@ -51,7 +51,7 @@ final class IdRules {
         BiConsumer<String, String> material = (path, id) -> material(path, id, known, report);
         LevelRule.each("solids", level.solids(), (path, solid) -> {
             material.accept(path, solid.material());
-            SolidFaces.said(solid)
+            SolidFaces.authored(solid)
                     .forEach((name, face) ->
                             material.accept(path + "." + SolidFaces.path(solid, name), face.material()));
         });

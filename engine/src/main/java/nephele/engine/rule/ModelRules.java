@@ -120,10 +120,10 @@ final class ModelRules {
     private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
         try {
             PlacedModels placed = PlacedModels.of(level, meshes::get);
-            tellEmpty(placed, report);
+            reportEmpty(placed, report);
             ViewpointRules.reportInside(level, placed, report);
             if (!level.models().isEmpty()) {
-                PortalRules.tellFree(level, placed, report);
+                PortalRules.reportFree(level, placed, report);
             }
         } catch (AssetException problem) {
             report.accept(Problem.error("models", problem.getMessage()));
@@ -132,13 +132,13 @@ final class ModelRules {
         }
     }
 
-    private static void tellEmpty(PlacedModels placed, Consumer<Problem> report) {
+    private static void reportEmpty(PlacedModels placed, Consumer<Problem> report) {
         for (PlacedModel model : placed.all()) {
-            if (model.isEmpty() && !model.said().isPlanted()) {
+            if (model.isEmpty() && !model.authored().isPlanted()) {
                 report.accept(Problem.warning(
                         "models[" + model.index() + "]",
-                        "'" + model.said().id() + "' draws nothing: none of the triangles of "
-                                + model.said().file() + " has an area here; check its scale, or delete it"));
+                        "'" + model.authored().id() + "' draws nothing: none of the triangles of "
+                                + model.authored().file() + " has an area here; check its scale, or delete it"));
             }
         }
     }

@@ -51,14 +51,14 @@ final class PortalRules {
     /** Checks levels without models; {@link ModelRules#READABLE} checks the others. */
     static final LevelRule ON_SURFACE = LevelRule.ofRecords((level, report) -> {
         if (level.models().isEmpty() && !level.solids().isEmpty()) {
-            tellFree(level, PlacedModels.NONE, report);
+            reportFree(level, PlacedModels.NONE, report);
         }
     });
 
     private PortalRules() {}
 
     /** Reports portals that lie on neither a solid nor a model. */
-    static void tellFree(Level level, PlacedModels models, Consumer<Problem> report) {
+    static void reportFree(Level level, PlacedModels models, Consumer<Problem> report) {
         LevelRule.each("portals", level.portals(), (path, portal) -> {
             boolean isOnSurface = level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
                     || level.terrains().stream().anyMatch(terrain -> mayLieOn(portal.centre(), terrain))

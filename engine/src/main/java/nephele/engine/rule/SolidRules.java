@@ -17,7 +17,6 @@ import nephele.engine.level.placed.LevelRule;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
-import nephele.engine.math.PolyhedronMeasure;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
 
@@ -83,8 +82,7 @@ final class SolidRules {
     static final LevelRule THICK = new LevelRule(LevelRule.Stage.LAYOUT, (level, assets, statics, report) -> {
         FirstProblems reported = new FirstProblems("solids", report);
         for (int i = 0; i < statics.solids().size() && !reported.isFull(); i++) {
-            double thickness =
-                    PolyhedronMeasure.thicknessMetres(statics.solids().get(i).shape());
+            double thickness = statics.solids().get(i).shape().thicknessMetres();
             if (thickness < THINNEST_METRES) {
                 String message = "is only " + Math.round(thickness * 1e5) / 100.0
                         + " mm thick, and surfaces closer than 1 mm count as one: make it thicker or delete it";

@@ -9,7 +9,6 @@ import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Terrain;
@@ -170,7 +169,7 @@ final class TerrainRules {
         String file = terrain.heightMap();
         try {
             if (!objections.containsKey(file)) {
-                HeightMap map = HeightMapFile.read(file, assets.bytes(file));
+                HeightMap map = HeightMap.read(file, assets.bytes(file));
                 TerrainField.requireSize(terrain, map);
                 steps(path, terrain, map, report);
                 if (map.seemsSwapped()) {
@@ -209,7 +208,7 @@ final class TerrainRules {
 
     private static String swapped(String file) {
         return file + " is as rough as noise, and would be smooth with the two bytes of each number exchanged: "
-                + (HeightMapFile.isRaw(file) ? "write it with the low byte first" : "save it again from its source");
+                + (HeightMap.isRaw(file) ? "write it with the low byte first" : "save it again from its source");
     }
 
     private static String text(double number) {

@@ -85,7 +85,7 @@ final class ViewpointRules {
                 report.accept(Problem.error(
                                 "player.feet",
                                 "the player starts inside models[" + model.index() + "] ('"
-                                        + model.said().id() + "'): move the start")
+                                        + model.authored().id() + "'): move the start")
                         .about(Topic.ENTITY_IN_SOLID));
             }
         }

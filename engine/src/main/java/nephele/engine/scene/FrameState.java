@@ -359,11 +359,17 @@ public final class FrameState {
      *
      * @param kind what is drawn
      * @param colour 0 or 1, the number of the shot
-     * @param age share of its duration that has passed, 0 to 1
+     * @param age fraction of its duration that has passed, 0 to 1
      * @param from where a bolt begins, metres; the place of a shimmer
      * @param to where a bolt ends; of a shimmer a metre from its place along the surface's normal
      */
     public record ShotEffect(Kind kind, int colour, double age, Vec3 from, Vec3 to) {
+        /** The fraction of its duration in which a bolt's head reaches its end. */
+        public static final double BOLT_FLIGHT = 0.45;
+
+        /** The length of a bolt's tail in flight, as a fraction of the path. */
+        public static final double BOLT_TAIL = 0.55;
+
         /** The effects. */
         public enum Kind {
             /** A streak from the gun to the surface. */

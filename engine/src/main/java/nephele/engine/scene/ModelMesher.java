@@ -55,7 +55,7 @@ final class ModelMesher {
     void add(int model, int slot) {
         spans.begin(model, slot, vertices.count());
         boolean isMeshed =
-                !models.get(model).isEmpty() && !models.get(model).said().impostor();
+                !models.get(model).isEmpty() && !models.get(model).authored().impostor();
         if (isMeshed && (copy == null || !copy.copy(model, vertices, batches))) {
             add(model);
         }
@@ -64,7 +64,7 @@ final class ModelMesher {
 
     private void add(int model) {
         PlacedModel placed = models.get(model);
-        int material = materials.indexOf(placed.said().material());
+        int material = materials.indexOf(placed.authored().material());
         Surface surface = materials.surfaces().get(material);
         WorldTriangles mesh = placed.triangles();
         SolidBatch.Form form = mesh.isFaceted() ? SolidBatch.Form.FACETED_MODEL : SolidBatch.Form.CURVED_MODEL;

@@ -5,9 +5,11 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import nephele.engine.level.Brush;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.scene.light.LightMapLookup;
@@ -90,13 +92,15 @@ public final class SolidGeometry {
         light = sky == null
                 ? null
                 : isUnderOldSky ? before.light.edited(drawn.solids()) : new LightMapLookup(sky, drawn.solids());
+        SolidGeometry copied = isAtOldPlace ? before : null;
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
                 parts.byBrush(),
                 materials,
                 light,
                 solidBatches,
-                isAtOldPlace ? before.knownSolids(materials) : null);
+                known(copied, parts),
+                copied == null ? null : new MeshCopy(copied.solidSpans, copied.solids, copied.batches(false)));
         ModelMesher modelMesher = new ModelMesher(
                 drawn.models().all(),
                 materials,
@@ -123,16 +127,30 @@ public final class SolidGeometry {
         batches = List.copyOf(all);
     }
 
-    private SolidMesher.Before knownSolids(SceneMaterials now) {
-        MeshCopy copy = new MeshCopy(solidSpans, solids, batches(false));
-        return new SolidMesher.Before(drawn.solids(), fragments.byBrush(), now.changedSince(materials), copy);
+    /**
+     * Returns for each solid its number in the mesh to copy, {@link IdentityDiff#NEW} if it has to be meshed.
+     *
+     * @param copied {@code null} for none
+     */
+    private int[] known(SolidGeometry copied, FaceFragments parts) {
+        List<Brush> brushes = drawn.solids();
+        int[] known = IdentityDiff.previousIndices(copied == null ? List.of() : copied.drawn.solids(), brushes);
+        Set<String> changed = copied == null ? Set.of() : materials.changedSince(copied.materials);
+        for (int i = 0; i < known.length; i++) {
+            boolean isSame = known[i] != IdentityDiff.NEW
+                    && copied.fragments.byBrush().get(known[i])
+                            == parts.byBrush().get(i)
+                    && brushes.get(i).faces().stream().noneMatch(face -> changed.contains(face.material()));
+            known[i] = isSame ? known[i] : IdentityDiff.NEW;
+        }
+        return known;
     }
 
     /** Returns {@code null} if the material of a model has changed. */
     private MeshCopy knownModels(SceneMaterials now) {
         Set<String> changed = now.changedSince(materials);
         boolean isOneChanged = drawn.models().all().stream()
-                .anyMatch(model -> changed.contains(model.said().material()));
+                .anyMatch(model -> changed.contains(model.authored().material()));
         return isOneChanged ? null : new MeshCopy(modelSpans, models, batches(true));
     }
 

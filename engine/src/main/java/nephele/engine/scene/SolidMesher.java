@@ -2,7 +2,6 @@ package nephele.engine.scene;
 
 import java.nio.IntBuffer;
 import java.util.List;
-import java.util.Set;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.appearance.FaceTexture;
@@ -21,7 +20,7 @@ final class SolidMesher {
     private final LightMapLookup light;
     private final BatchBuilder batches;
     private final MeshCopy.MeshSpans spans;
-    private final Before before;
+    private final MeshCopy copy;
     /** For each solid its number in the mesh that is copied, {@link IdentityDiff#NEW} if it has to be meshed. */
     private final int[] known;
 
@@ -31,7 +30,8 @@ final class SolidMesher {
      * Makes a mesher for all solids of a level.
      *
      * @param light {@code null} if vertices have no light map coordinates
-     * @param before has the same origin and the same light; {@code null} if there is none
+     * @param known for each solid its number in the mesh that is copied, {@link IdentityDiff#NEW} if it has to be meshed
+     * @param copy the mesh with the same origin and the same light; {@code null} if all solids have to be meshed
      */
     SolidMesher(
             List<Brush> brushes,
@@ -39,41 +39,24 @@ final class SolidMesher {
             SceneMaterials materials,
             LightMapLookup light,
             BatchBuilder batches,
-            Before before) {
+            int[] known,
+            MeshCopy copy) {
         this.brushes = brushes;
         this.fragments = fragments;
         this.materials = materials;
         this.light = light;
         this.batches = batches;
-        this.before = before;
-        known = before == null ? new int[brushes.size()] : IdentityDiff.previousIndices(before.brushes(), brushes);
-        for (int i = 0; i < known.length; i++) {
-            boolean isSame = before != null && known[i] != IdentityDiff.NEW && before.has(known[i], fragments.get(i));
-            known[i] = isSame ? known[i] : IdentityDiff.NEW;
-        }
+        this.known = known;
+        this.copy = copy;
         int bytes = SolidGeometry.VERTEX_BYTES + (light == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
         vertices = new VertexBytes(corners(), bytes);
         spans = MeshCopy.MeshSpans.of(brushes.size());
     }
 
-    /**
-     * The mesh of a level before an edit.
-     *
-     * @param changed ids of the materials that change the vertices or the batch of their faces
-     */
-    record Before(List<Brush> brushes, List<List<List<FaceFragment>>> fragments, Set<String> changed, MeshCopy copy) {
-        private boolean has(int number, List<List<FaceFragment>> now) {
-            return fragments.get(number) == now
-                    && (changed.isEmpty()
-                            || brushes.get(number).faces().stream()
-                                    .noneMatch(face -> changed.contains(face.material())));
-        }
-    }
-
     private int corners() {
         int corners = 0;
         for (int i = 0; i < known.length; i++) {
-            corners += known[i] != IdentityDiff.NEW ? before.copy().vertices(known[i]) : corners(fragments.get(i));
+            corners += known[i] != IdentityDiff.NEW ? copy.vertices(known[i]) : corners(fragments.get(i));
         }
         return corners;
     }
@@ -96,7 +79,7 @@ final class SolidMesher {
 
     void add(int number, int slot) {
         spans.begin(number, slot, vertices.count());
-        if (known[number] == IdentityDiff.NEW || !before.copy().copy(known[number], vertices, batches)) {
+        if (known[number] == IdentityDiff.NEW || !copy.copy(known[number], vertices, batches)) {
             for (int face = 0; face < brushes.get(number).faces().size(); face++) {
                 addFace(number, face);
             }

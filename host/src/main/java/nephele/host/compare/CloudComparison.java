@@ -4,6 +4,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.function.Supplier;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.placed.PlacedLevel;
@@ -104,14 +105,13 @@ public final class CloudComparison implements AutoCloseable {
         if (width == 0 || height == 0) {
             return;
         }
-        var size = new ComparedSide.Size(width, height);
         boolean beginsLeft = frames++ % 2 == 0;
         if (beginsLeft) {
-            left.draw(view, state, size, listener);
+            left.draw(view, state, width, height, listener);
         }
-        right.draw(view, state, size, StepListener.NONE);
+        right.draw(view, state, width, height, StepListener.NONE);
         if (!beginsLeft) {
-            left.draw(view, state, size, listener);
+            left.draw(view, state, width, height, listener);
         }
         measure();
     }
@@ -154,8 +154,7 @@ public final class CloudComparison implements AutoCloseable {
         long now = System.nanoTime();
         if (measuring == null && (frames == 1 || now - measuredNanos >= INTERVAL_NANOS)) {
             measuredNanos = now;
-            Question question = question();
-            measuring = worker.submit(question::answer);
+            measuring = worker.submit(measurement()::get);
         }
     }
 
@@ -174,21 +173,15 @@ public final class CloudComparison implements AutoCloseable {
         }
     }
 
-    private record Question(float[] reference, float[] tried, int width, Environment environment) {
-        PictureDifference answer() {
-            return PictureDifference.of(reference, tried, width, environment);
-        }
-    }
-
-    private Question question() {
+    /** Reads both pictures, and returns what measures them on any thread. */
+    private Supplier<PictureDifference> measurement() {
         ComparedSide reference = techniques.isReferenceLeft() ? left : right;
         ComparedSide tried = techniques.isReferenceLeft() ? right : left;
         float[] exact = radiance(reference);
-        return new Question(
-                exact,
-                radiance(tried),
-                small.width(),
-                reference.renderer().scene().level().environment());
+        float[] other = radiance(tried);
+        int width = small.width();
+        Environment environment = reference.renderer().scene().level().environment();
+        return () -> PictureDifference.of(exact, other, width, environment);
     }
 
     private float[] radiance(ComparedSide side) {
@@ -210,7 +203,7 @@ public final class CloudComparison implements AutoCloseable {
 
     /** Measures the last frame at once. */
     public ComparisonFigures measureNow() {
-        figures = figures(question().answer());
+        figures = figures(measurement().get());
         return figures;
     }
 

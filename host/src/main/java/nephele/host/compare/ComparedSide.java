@@ -48,8 +48,8 @@ final class ComparedSide implements AutoCloseable {
     }
 
     /** Draws the whole view, of any level with the same sun and clouds, and waits until that is done. */
-    void draw(View view, FrameState state, Size size, StepListener listener) {
-        prepare(size);
+    void draw(View view, FrameState state, int width, int height, StepListener listener) {
+        prepare(width, height);
         Environment before = state.environment();
         state.environment(at(state.seconds()));
         gl.finish();
@@ -63,9 +63,6 @@ final class ComparedSide implements AutoCloseable {
         state.environment(before);
     }
 
-    /** The size of a picture in pixels. */
-    record Size(int width, int height) {}
-
     /** Returns this side's environment: samples of clouds are kept only for the one that they were made for. */
     private Environment at(double seconds) {
         Environment authored = renderer.scene().level().environment();
@@ -76,11 +73,11 @@ final class ComparedSide implements AutoCloseable {
         return environment;
     }
 
-    private void prepare(Size size) {
-        boolean fits = picture != null && picture.width() == size.width && picture.height() == size.height;
+    private void prepare(int width, int height) {
+        boolean fits = picture != null && picture.width() == width && picture.height() == height;
         if (!fits) {
             closePicture();
-            picture = RenderTarget.picture(gl, "compared picture", PixelFormat.RGBA8, size.width, size.height);
+            picture = RenderTarget.picture(gl, "compared picture", PixelFormat.RGBA8, width, height);
         }
     }
 

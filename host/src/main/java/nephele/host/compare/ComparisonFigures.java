@@ -1,7 +1,7 @@
 package nephele.host.compare;
 
 /**
- * What two techniques cost and how far their pictures are apart.
+ * The frame times of two techniques and the difference of their pictures.
  *
  * @param leftMillis median wall time of the last frames until OpenGL has finished, for the left technique;
  *     the first one is not counted, and 0 is told before the second

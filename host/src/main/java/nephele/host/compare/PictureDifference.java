@@ -12,21 +12,21 @@ import nephele.engine.render.frame.ToneMapping;
  * The difference of a picture from its reference, both shown at the reference's exposure.
  *
  * @param flip mean FLIP (Andersson et al. 2020) of the displayed pictures, 0 to 1
- * @param lightShare mean radiance relative to the reference's, minus 1
+ * @param lightExcess mean radiance relative to the reference's, minus 1
  */
-public record PictureDifference(double flip, double lightShare) {
+public record PictureDifference(double flip, double lightExcess) {
     /** The greatest half float; what is brighter counts as this. */
     private static final float BRIGHTEST = 65504;
 
     /** Returns true if nothing would be seen: each rounds to 0 in the digits that are told, 0.001 and 0.1 %. */
     public boolean isNone() {
-        return flip < 5e-4 && Math.abs(lightShare) < 5e-4;
+        return flip < 5e-4 && Math.abs(lightExcess) < 5e-4;
     }
 
     /** Returns the difference of light in per cent with its sign, such as {@code +2.4}, and {@code 0.0} for none. */
     public String lightPercent() {
-        String digits = String.format(Locale.ROOT, "%.1f", Math.abs(100 * lightShare));
-        String sign = digits.equals("0.0") ? "" : lightShare < 0 ? "−" : "+";
+        String digits = String.format(Locale.ROOT, "%.1f", Math.abs(100 * lightExcess));
+        String sign = digits.equals("0.0") ? "" : lightExcess < 0 ? "−" : "+";
         return sign + digits;
     }
 

@@ -67,11 +67,11 @@ public final class FollowingBake implements AutoCloseable {
         return bake;
     }
 
-    private void progress(double share) {
+    private void progress(double fraction) {
         if (isClosed) {
             throw new CancellationException("the level is drawn no more");
         }
-        percent = Math.max(percent, (int) (100 * share));
+        percent = Math.max(percent, (int) (100 * fraction));
     }
 
     /** Returns true if {@link #scene} would not wait. */

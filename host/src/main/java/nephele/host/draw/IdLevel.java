@@ -130,9 +130,10 @@ public final class IdLevel {
 
     /** Returns the faces of a solid that are mirrors. */
     private static <N> Map<N, Solid.Face> mirrors(
-            List<N> names, Map<N, Solid.Face> said, String material, Set<String> mirrors) {
+            List<N> names, Map<N, Solid.Face> faces, String material, Set<String> mirrors) {
         return names.stream()
-                .filter(name -> isMirror(said.containsKey(name) ? said.get(name).material() : null, material, mirrors))
+                .filter(name ->
+                        isMirror(faces.containsKey(name) ? faces.get(name).material() : null, material, mirrors))
                 .collect(Collectors.toMap(name -> name, name -> new Solid.Face(MIRROR, null, null)));
     }
 

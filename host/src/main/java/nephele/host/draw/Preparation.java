@@ -10,7 +10,6 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.sim.state.SimLevel;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 
@@ -61,7 +60,7 @@ public final class Preparation {
             var opened = level.get();
             var shown = quality.shown(opened);
             var sky = light.apply(shown);
-            var scene = AssetProblems.named(opened, () -> Scene.of(shown, sky));
+            var scene = opened.reporting(() -> Scene.of(shown, sky));
             return new Prepared(opened, scene, SimLevel.of(opened.placed()), System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.LinearLight;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
@@ -13,7 +14,6 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.QualityField;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 
@@ -94,14 +94,17 @@ public record QualityChoice(String preset, Map<String, String> settings) {
 
     /** Returns the level to draw with its derived data. */
     public PlacedLevel shown(OpenedLevel opened) {
-        return showsIds()
-                ? AssetProblems.named(opened, () -> opened.placed().edited(shown(opened.level())))
-                : opened.placed();
+        return showsIds() ? opened.reporting(() -> opened.placed().edited(shown(opened.level()))) : opened.placed();
     }
 
     /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */
     public Output output(Level level) {
-        return showsIds() ? Output.PLAIN : Outputs.defaultFor(level);
+        return showsIds() ? Output.PLAIN : defaultOutput(level);
+    }
+
+    /** Returns HDR if something in the level adds light to the image, otherwise DIRECT. */
+    public static Output defaultOutput(Level level) {
+        return LinearLight.because(level).isPresent() ? Output.HDR : Output.DIRECT;
     }
 
     /** Returns true if each surface is drawn in a unique flat colour. */

@@ -1,6 +1,7 @@
 package nephele.host.draw;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
@@ -28,7 +29,7 @@ public final class QualityController {
     /** Frames over budget in the whole window that make it go down. */
     private static final int TOO_SLOW_IN_WINDOW = 7;
 
-    /** The share of the budget that the first decision and a way down aim at, and that a climb may need. */
+    /** The fraction of the budget that the first decision and a way down aim at, and that a climb may need. */
     private static final double AIM = 0.8;
 
     /** The quantile of frame costs that a climb regards; the frames above it are hitches of the system. */
@@ -37,7 +38,7 @@ public final class QualityController {
     /** The last windows from which a level's cost is learned: ten minutes at 30 frames a second. */
     private static final int LEARNED_WINDOWS = 200;
 
-    private static final double LEARNED_SHARE = 0.75;
+    private static final double LEARNED_FRACTION = 0.75;
 
     private static final double CLIMB_SECONDS = 10;
     private static final double LONGEST_CLIMB_SECONDS = 320;
@@ -93,7 +94,7 @@ public final class QualityController {
         int count = Math.min(learnedWindows, LEARNED_WINDOWS);
         double[] rising = Arrays.copyOf(learned, count);
         Arrays.sort(rising);
-        return count == 0 ? 0 : rising[(int) Math.round(LEARNED_SHARE * (count - 1))];
+        return count == 0 ? 0 : rising[(int) Math.round(LEARNED_FRACTION * (count - 1))];
     }
 
     /** Returns what quality {@code high} would cost where a frame of the current point costs {@code millis}. */
@@ -223,28 +224,30 @@ public final class QualityController {
         return sorted[size / 2];
     }
 
-    private double quantile(double share) {
+    private double quantile(double fraction) {
         int size = counted();
         System.arraycopy(window, 0, sorted, 0, size);
         Arrays.sort(sorted, 0, size);
-        return sorted[(int) Math.round(share * (size - 1))];
+        return sorted[(int) Math.round(fraction * (size - 1))];
     }
 
-    /**
-     * The reason for a choice.
-     *
-     * @param slowestMillis cost that nearly all of the last frames stay below; 0 before any was measured
-     * @param next the next better point; {@code null} if there is none
-     * @param nextMillis what it would be there
-     */
-    public record Reason(double slowestMillis, double budgetMillis, QualityFront.Point next, double nextMillis) {}
+    /** Returns the cost that nearly all of the last frames stay below, ms; 0 before any was measured. */
+    public double slowestMillis() {
+        return counted() <= 0 ? 0 : quantile(USUALLY);
+    }
 
-    /** Returns the reason for the current choice. */
-    public Reason reason() {
-        double slowest = counted() <= 0 ? 0 : quantile(USUALLY);
-        if (point + 1 == front.points().size()) {
-            return new Reason(slowest, budgetMillis, null, 0);
-        }
-        return new Reason(slowest, budgetMillis, front.points().get(point + 1), predicted(slowest, point + 1));
+    /** Returns the greatest time of a frame, ms. */
+    public double budgetMillis() {
+        return budgetMillis;
+    }
+
+    /** Returns the next better point; empty if there is none. */
+    public Optional<QualityFront.Point> better() {
+        return point + 1 < front.points().size() ? Optional.of(front.points().get(point + 1)) : Optional.empty();
+    }
+
+    /** Returns what {@link #slowestMillis} would be at the next better point. */
+    public double betterMillis() {
+        return predicted(slowestMillis(), point + 1);
     }
 }

@@ -1,26 +1,41 @@
 package nephele.host.named;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.Language;
 import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.PackageContent;
 import nephele.host.terminal.CommandFailure;
 
-/** Finds the game's levels: the campaign in {@code levels/} of the working directory, else the one in the jar. */
+/**
+ * Finds levels: the game's campaign and samples in {@code levels/} of the working directory, else in the jar, and those in
+ * a user's folder.
+ */
 public final class LevelCatalogue {
     private static final String FOLDER = "levels/";
     private static final String CAMPAIGN = "campaign.json";
     private static final String SAMPLES = "samples.json";
     private static final int LARGEST_BYTES = 1 << 20;
+
+    /** Bounds the time for a folder that is none of levels. */
+    private static final int MOST_IN_FOLDER = 1000;
+
+    /** Folders beside a level that hold other files. */
+    private static final Set<String> OTHER_FOLDERS = Set.of("replays", "pictures", "baked", "cache");
 
     private LevelCatalogue() {}
 
@@ -106,5 +121,59 @@ public final class LevelCatalogue {
         }
         AssetSource levels = new ResourceAssets(LevelAssets.JAR_LEVELS);
         return levels.exists(name) ? Optional.of(levels.bytes(name)) : Optional.empty();
+    }
+
+    /**
+     * Returns the levels in a user's folder, by name: its .json files and .zip packages first, then those in its folders,
+     * into which the editor unpacks a package; empty if there is no such folder.
+     */
+    public static List<LevelName> in(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        List<Path> files = new ArrayList<>(entries(folder));
+        for (Path entry : List.copyOf(files)) {
+            if (Files.isDirectory(entry, LinkOption.NOFOLLOW_LINKS) && files.size() < MOST_IN_FOLDER) {
+                files.addAll(entries(entry));
+            }
+        }
+        return files.stream()
+                .filter(file -> isLevel(folder, file))
+                .limit(MOST_IN_FOLDER)
+                .map(file -> new LevelName(file.toString()))
+                .toList();
+    }
+
+    /** Returns what is in a folder, by name; nothing if it cannot be read, which hides no other folder. */
+    private static List<Path> entries(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.sorted((a, b) -> a.toString().compareToIgnoreCase(b.toString()))
+                    .limit(MOST_IN_FOLDER)
+                    .toList();
+        } catch (IOException | UncheckedIOException unreadable) {
+            return List.of();
+        }
+    }
+
+    private static boolean isLevel(Path folder, Path file) {
+        String name = file.getFileName().toString();
+        String parent = file.getParent().equals(folder)
+                ? ""
+                : file.getParent().getFileName().toString();
+        return !name.startsWith(".")
+                && !parent.startsWith(".")
+                && !OTHER_FOLDERS.contains(parent)
+                && (isLevel(file) || PackageContent.isPackage(name))
+                && !Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS);
+    }
+
+    /** Returns true if a level is in the folder. */
+    public static boolean isIn(Path folder, LevelName level) {
+        return Path.of(level.typed()).toAbsolutePath().normalize().startsWith(folder);
+    }
+
+    /** Returns a level's name within the folder. */
+    public static String nameIn(Path folder, LevelName level) {
+        return folder.relativize(Path.of(level.typed())).toString();
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.Picture;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
@@ -13,15 +14,21 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.rule.LevelRules;
 
 /**
- * What a list tells of a level.
+ * The name, aim, par and picture of a level for a list, and its problems.
  *
  * @param name the level's own; empty for none
  * @param par {@code null} for none
+ * @param picture {@code null} for none
  * @param problems for which it cannot be played; empty for a good one
  */
 public record LevelSummary(
-        String name, String description, Map<Language, String> aim, Level.Par par, List<String> problems) {
-    private static final LevelSummary NOTHING = new LevelSummary("", "", Map.of(), null, List.of());
+        String name,
+        String description,
+        Map<Language, String> aim,
+        Level.Par par,
+        List<String> problems,
+        Picture picture) {
+    private static final LevelSummary NOTHING = new LevelSummary("", "", Map.of(), null, List.of(), null);
 
     public LevelSummary {
         problems = List.copyOf(problems);
@@ -48,7 +55,7 @@ public record LevelSummary(
     private static LevelSummary of(Supplier<Level> level) {
         try {
             Level read = level.get();
-            return new LevelSummary(read.name(), read.description(), read.aim(), read.par(), List.of());
+            return new LevelSummary(read.name(), read.description(), read.aim(), read.par(), List.of(), null);
         } catch (LevelFormatException wrong) {
             return NOTHING.with(wrong.problems().stream()
                     .filter(Problem::isError)
@@ -62,7 +69,12 @@ public record LevelSummary(
     }
 
     private LevelSummary with(List<String> others) {
-        return new LevelSummary(name, description, aim, par, others);
+        return new LevelSummary(name, description, aim, par, others, picture);
+    }
+
+    /** Returns this with the level's picture; {@code null} for none. */
+    public LevelSummary with(Picture other) {
+        return new LevelSummary(name, description, aim, par, problems, other);
     }
 
     /** Returns place and message; the list names the file. */

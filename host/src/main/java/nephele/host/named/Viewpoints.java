@@ -1,5 +1,6 @@
 package nephele.host.named;
 
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
@@ -20,20 +21,13 @@ public final class Viewpoints {
 
     private Viewpoints() {}
 
-    /** A function from a frame number on a camera's path to a view. */
-    @FunctionalInterface
-    public interface OfFrame {
-        /** Returns the view of a frame. */
-        View view(int frame);
-    }
-
     /**
-     * Returns the view of the first camera, otherwise of the player's start.
+     * Returns the view of each frame of the first camera's path, otherwise of the player's start.
      *
      * @param file the level's name for messages
      * @throws CommandFailure if the level has neither
      */
-    public static OfFrame standard(Level level, String file, double aspect) {
+    public static IntFunction<View> standard(Level level, String file, double aspect) {
         if (!level.cameras().isEmpty()) {
             return ofCamera(level.cameras().get(0), aspect);
         }
@@ -46,12 +40,12 @@ public final class Viewpoints {
     }
 
     /**
-     * Returns the view of the camera with an id.
+     * Returns the view of each frame of a camera's path.
      *
      * @param file the level's name for messages
      * @throws CommandFailure if there is no such camera
      */
-    public static OfFrame named(Level level, String file, String id, double aspect) {
+    public static IntFunction<View> named(Level level, String file, String id, double aspect) {
         return level.cameras().stream()
                 .filter(camera -> id.equals(camera.id()))
                 .findFirst()
@@ -92,7 +86,7 @@ public final class Viewpoints {
                 aspect);
     }
 
-    private static OfFrame ofCamera(Camera camera, double aspect) {
+    private static IntFunction<View> ofCamera(Camera camera, double aspect) {
         return frame -> View.ofCamera(camera, frame, aspect);
     }
 

@@ -59,19 +59,19 @@ record AnimationState(double heightMetres, double step, double ahead, double lef
     }
 
     /** Interpolates between this state and that of the next tick. */
-    AnimationState towards(AnimationState later, double share) {
+    AnimationState towards(AnimationState later, double fraction) {
         double cycles = later.step - step;
         double onward = cycles < 0 ? cycles + 1 : cycles;
         return new AnimationState(
-                mix(heightMetres, later.heightMetres, share),
-                (step + onward * share) % 1,
-                mix(ahead, later.ahead, share),
-                mix(left, later.left, share),
-                mix(airborne, later.airborne, share),
-                mix(carrying, later.carrying, share));
+                mix(heightMetres, later.heightMetres, fraction),
+                (step + onward * fraction) % 1,
+                mix(ahead, later.ahead, fraction),
+                mix(left, later.left, fraction),
+                mix(airborne, later.airborne, fraction),
+                mix(carrying, later.carrying, fraction));
     }
 
-    private static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 }

@@ -25,7 +25,7 @@ final class CameraBoom {
 
     private final double secondsPerTick;
     private final CameraBoomReach reach;
-    private final Vector3d way = new Vector3d();
+    private final Vector3d boom = new Vector3d();
     private boolean wanted;
     private CameraBoomState before = CameraBoomState.FOLDED;
     private CameraBoomState after = CameraBoomState.FOLDED;
@@ -50,7 +50,7 @@ final class CameraBoom {
         if (isOut()) {
             PlayerPose pose = PlayerPose.between(earlier, later, 1);
             CameraBoomState there = entering(earlier, later).after(secondsPerTick, wanted ? 1 : 0);
-            double free = reach.free(portals(later), pose.eye().toVector(), way(pose, there));
+            double free = reach.free(portals(later), pose.eye().toVector(), boom(pose, there));
             after = there.notBeyond(free);
         }
     }
@@ -62,34 +62,34 @@ final class CameraBoom {
     }
 
     /**
-     * Returns the camera at a share of the tick between two states.
+     * Returns the camera at a fraction of the tick between two states.
      *
      * @param aimed a point in the eye's space; mapped to the camera's space
      */
-    PlayerPose camera(SimState earlier, SimState later, double share, Vector3d aimed) {
-        PlayerPose pose = PlayerPose.between(earlier, later, share);
-        stretch(pose, earlier, later, share);
+    PlayerPose camera(SimState earlier, SimState later, double fraction, Vector3d aimed) {
+        PlayerPose pose = PlayerPose.between(earlier, later, fraction);
+        stretch(pose, earlier, later, fraction);
         PathTrace trace = reach.trace(portals(later));
-        trace.trace(pose.eye().toVector(), way);
+        trace.trace(pose.eye().toVector(), boom);
         trace.carryPoint(aimed);
         return new PlayerPose(
                 Vec3.of(trace.place()), carried(pose.view(), trace, portals(later)), pose.body(), pose.later());
     }
 
-    /** Returns the vector from eye to camera at a share of the tick, in the axes of the view: right, up and back. */
-    Vec3 offset(SimState earlier, SimState later, double share) {
-        PlayerPose pose = PlayerPose.between(earlier, later, share);
-        stretch(pose, earlier, later, share);
+    /** Returns the vector from eye to camera at a fraction of the tick, in the axes of the view: right, up and back. */
+    Vec3 offset(SimState earlier, SimState later, double fraction) {
+        PlayerPose pose = PlayerPose.between(earlier, later, fraction);
+        stretch(pose, earlier, later, fraction);
         return new Vec3(
-                way.dot(pose.view().right().toVector()),
-                way.dot(pose.view().up().toVector()),
-                way.dot(pose.view().back().toVector()));
+                boom.dot(pose.view().right().toVector()),
+                boom.dot(pose.view().up().toVector()),
+                boom.dot(pose.view().back().toVector()));
     }
 
-    private void stretch(PlayerPose pose, SimState earlier, SimState later, double share) {
-        CameraBoomState there = entering(earlier, later).after(share * secondsPerTick, wanted ? 1 : 0);
-        way(pose, there);
-        way.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way)));
+    private void stretch(PlayerPose pose, SimState earlier, SimState later, double fraction) {
+        CameraBoomState there = entering(earlier, later).after(fraction * secondsPerTick, wanted ? 1 : 0);
+        boom(pose, there);
+        boom.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), boom)));
     }
 
     /** Returns the first hit of a straight line from the eye. */
@@ -129,10 +129,10 @@ final class CameraBoom {
     }
 
     /** Returns the vector from the eye to the camera without obstacles, in the eye's space. */
-    private Vector3d way(PlayerPose pose, CameraBoomState state) {
+    private Vector3d boom(PlayerPose pose, CameraBoomState state) {
         Vector3d lag = pose.fromLater(state.spring().lag().toVector());
         lag.div(Math.sqrt(1 + lag.lengthSquared() / (MOST_LAG_METRES * MOST_LAG_METRES)));
-        return way.set(lag)
+        return boom.set(lag)
                 .fma(RIGHT_METRES, pose.view().right().toVector())
                 .fma(UP_METRES, pose.view().up().toVector())
                 .fma(BACK_METRES, pose.view().back().toVector());

@@ -58,7 +58,7 @@ final class CameraBoomReach {
         this.statics = statics;
     }
 
-    /** Returns the free share of a boom, 0 to 1. */
+    /** Returns the free fraction of a boom, 0 to 1. */
     double free(Portals portals, Vector3dc eye, Vector3dc boom) {
         fullMetres = boom.length();
         freeMetres = fullMetres;
@@ -79,15 +79,15 @@ final class CameraBoomReach {
         return trace;
     }
 
-    /** Returns the share of a displacement that is free of solids, without portals. */
-    double freeOfSolids(Vector3dc from, Vector3dc way) {
-        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+    /** Returns the fraction of a displacement that is free of solids, without portals. */
+    double freeOfSolids(Vector3dc from, Vector3dc displacement) {
+        var ray = new Ray(from.x(), from.y(), from.z(), displacement.x(), displacement.y(), displacement.z());
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }
 
-    private void leg(Vector3dc from, Vector3dc way) {
-        double length = way.length();
-        way.div(Math.max(length, Double.MIN_NORMAL), direction);
+    private void leg(Vector3dc from, Vector3dc displacement) {
+        double length = displacement.length();
+        displacement.div(Math.max(length, Double.MIN_NORMAL), direction);
         int steps = (int) Math.ceil(length / SAMPLE_METRES);
         for (int i = 0; i <= steps; i++) {
             double along = steps == 0 ? 0 : length * i / steps;

@@ -8,7 +8,7 @@ import nephele.engine.portal.Portals;
  * A boom after a tick, in the space of the player's body.
  *
  * @param restVelocity velocity of the eye, which carries the boom, in the last tick, m/s
- * @param extent extended share of the boom, 0 to 1
+ * @param extent extended fraction of the boom, 0 to 1
  */
 record CameraBoomState(CameraSpring spring, Vec3 restVelocity, double extent) {
     static final CameraBoomState FOLDED = new CameraBoomState(CameraSpring.AT_REST, Vec3.ZERO, 0);

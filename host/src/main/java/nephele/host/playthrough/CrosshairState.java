@@ -9,13 +9,7 @@ package nephele.host.playthrough;
 public record CrosshairState(double right, double down, Half first, Half second) {
     public static final CrosshairState MIDDLE = new CrosshairState(0, 0, null, null);
 
-    /** Tells if the shot's portal exists already. */
-    public enum Portal {
-        NONE,
-        MADE
-    }
-
-    /** Tells if a shot would open the portal at the place aimed at. */
+    /** Whether a shot would open the portal at the place aimed at. */
     public enum Shot {
         OPENS,
         REFUSED
@@ -24,7 +18,8 @@ public record CrosshairState(double right, double down, Half first, Half second)
     /**
      * The half of the crosshair for one shot.
      *
+     * @param isMade whether the shot's portal exists already
      * @param unevenMillimetres by how much the ground aimed at is uneven, if the shot is refused for that, otherwise 0
      */
-    public record Half(Portal portal, Shot shot, long unevenMillimetres) {}
+    public record Half(boolean isMade, Shot shot, long unevenMillimetres) {}
 }

@@ -38,15 +38,15 @@ final class FrameInterpolation {
         return frameState;
     }
 
-    /** Sets the portals of the later state, and the bodies at a share of the tick. */
-    void world(SimState before, SimState after, double share, PortalAges ages) {
+    /** Sets the portals of the later state, and the bodies at a fraction of the tick. */
+    void world(SimState before, SimState after, double fraction, PortalAges ages) {
         WorldState around = after.world();
         frameState.portals(around.portals());
         for (int i = 0; i < GunPortals.Colour.BOTH.size(); i++) {
             GunPortals.Colour shot = GunPortals.Colour.BOTH.get(i);
             int portal = around.shots().portal(shot);
             if (portal != GunPortals.UNFIRED) {
-                frameState.setPortalLook(portal, shot.ordinal(), ages.openness(portal, after.tick(), share));
+                frameState.setPortalLook(portal, shot.ordinal(), ages.openness(portal, after.tick(), fraction));
             }
         }
         for (int body = 0; body < around.bodies().size(); body++) {
@@ -54,7 +54,7 @@ final class FrameInterpolation {
                     body,
                     isReturned(after, body) ? around.bodies() : before.world().bodies(),
                     around.bodies(),
-                    share);
+                    fraction);
         }
     }
 
@@ -69,7 +69,7 @@ final class FrameInterpolation {
         return false;
     }
 
-    private void body(int body, Bodies before, Bodies after, double share) {
+    private void body(int body, Bodies before, Bodies after, double fraction) {
         Portals portals = frameState.portals();
         before.centre(body, centre);
         before.orientation(body, turn);
@@ -78,8 +78,8 @@ final class FrameInterpolation {
             portals.transform(after.crossing(body, i)).point(centre);
             portals.transform(after.crossing(body, i)).orientation(turn);
         }
-        centre.lerp(after.centre(body, later), share);
-        turn.slerp(after.orientation(body, laterTurn), share);
+        centre.lerp(after.centre(body, later), fraction);
+        turn.slerp(after.orientation(body, laterTurn), fraction);
         for (int i = crossings - 1; i >= 0; i--) {
             int exit = portals.partner(after.crossing(body, i));
             if (portals.portal(exit).inFront(centre.x, centre.y, centre.z) >= 0) {

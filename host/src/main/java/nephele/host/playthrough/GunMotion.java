@@ -30,8 +30,8 @@ record GunMotion(
 
     static final GunMotion AT_REST = new GunMotion(0, 0, 0, GunPortals.Colour.SECOND, GunPortals.Colour.SECOND, NEVER);
 
-    /** The share of a turn by which the gun lags, and how fast it follows. */
-    private static final double LAG_SHARE = 0.14;
+    /** The fraction of a turn by which the gun lags, and how fast it follows. */
+    private static final double LAG_FRACTION = 0.14;
 
     private static final double FOLLOWING_PER_SECOND = 9;
     private static final double MOST_LAG_RADIANS = 0.07;
@@ -58,8 +58,8 @@ record GunMotion(
         double target = fired.opened == GunPortals.Colour.FIRST ? 1 : 0;
         double step = LAMP_CHANGES_PER_SECOND * seconds;
         return new GunMotion(
-                limited((yawLag + LAG_SHARE * turn) * follow),
-                limited((pitchLag + LAG_SHARE * nod) * follow),
+                limited((yawLag + LAG_FRACTION * turn) * follow),
+                limited((pitchLag + LAG_FRACTION * nod) * follow),
                 second + Math.max(-step, Math.min(step, target - second)),
                 fired.opened,
                 fired.shot,
@@ -84,7 +84,7 @@ record GunMotion(
     }
 
     /** The moment between two ticks at which the gun is drawn. */
-    record Moment(long tick, double share, double secondsPerTick, PictureMotion motion, FlashStyle flashes) {}
+    record Moment(long tick, double fraction, double secondsPerTick, PictureMotion motion, FlashStyle flashes) {}
 
     /**
      * Returns the gun between this motion and that of the next tick.
@@ -93,17 +93,17 @@ record GunMotion(
      * @param dip of the camera after a landing, metres
      */
     GunInHand at(Moment moment, GunMotion later, AnimationState animation, double dip) {
-        double share = moment.share;
-        double shotSeconds = (moment.tick - later.shotTick + share) * moment.secondsPerTick;
+        double fraction = moment.fraction;
+        double shotSeconds = (moment.tick - later.shotTick + fraction) * moment.secondsPerTick;
         double whole = moment.motion == PictureMotion.FULL ? 1 : 0;
         double kick = whole * kick(shotSeconds);
         double stride = whole * Math.min(1.3, animation.stride()) * (1 - animation.airborne());
         double swing = stride * Math.sin(2 * Math.PI * animation.step());
         double bounce = stride * Math.cos(4 * Math.PI * animation.step());
         double air = whole * animation.airborne();
-        double breath = whole * Math.sin((moment.tick + share) * moment.secondsPerTick * Math.PI / 2.1);
-        double yaw = whole * mix(yawLag, later.yawLag, share);
-        double pitch = whole * mix(pitchLag, later.pitchLag, share);
+        double breath = whole * Math.sin((moment.tick + fraction) * moment.secondsPerTick * Math.PI / 2.1);
+        double yaw = whole * mix(yawLag, later.yawLag, fraction);
+        double pitch = whole * mix(pitchLag, later.pitchLag, fraction);
         double low = animation.carrying() * animation.carrying() * (3 - 2 * animation.carrying());
         return new GunInHand(
                 new Vec3(
@@ -119,7 +119,7 @@ record GunMotion(
                 YAW_RADIANS - yaw + 0.008 * swing,
                 PITCH_RADIANS - pitch + 0.07 * kick - 0.035 * air - 0.5 * dip - 0.55 * low,
                 0.012 * swing + 0.5 * yaw + 0.12 * low,
-                mix(second, later.second, share),
+                mix(second, later.second, fraction),
                 flash(shotSeconds, moment.flashes),
                 later.shot.ordinal());
     }
@@ -139,7 +139,7 @@ record GunMotion(
         return bright < 1e-3 ? 0 : bright;
     }
 
-    private static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 }

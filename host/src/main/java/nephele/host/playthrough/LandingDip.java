@@ -4,7 +4,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.sim.state.SimState;
 
 /**
- * The way by which the eye and the character's body sink after a landing and come back, the farther the faster the
+ * The displacement by which the eye and the character's body sink after a landing and come back, the farther the faster the
  * landing was: the spring of {@link CameraSpring}. A function of the ticks; the simulation does not depend on it.
  */
 record LandingDip(CameraSpring spring) {
@@ -13,7 +13,7 @@ record LandingDip(CameraSpring spring) {
     /** A step down lands with less, and is not felt. */
     private static final double LEAST_LANDING = 2.2;
     /** Velocity of the spring per velocity of the landing beyond that. */
-    private static final double SPRING_SHARE = 0.42;
+    private static final double SPRING_FRACTION = 0.42;
 
     private static final double MOST_SPRING_VELOCITY = 6;
     /** Below this the spring is at rest. */
@@ -25,7 +25,7 @@ record LandingDip(CameraSpring spring) {
         if (speed == 0 && spring == CameraSpring.AT_REST) {
             return this;
         }
-        double pushed = Math.min(MOST_SPRING_VELOCITY, SPRING_SHARE * speed);
+        double pushed = Math.min(MOST_SPRING_VELOCITY, SPRING_FRACTION * speed);
         Vec3 velocity = spring.velocity().plus(new Vec3(0, -pushed, 0));
         CameraSpring now = new CameraSpring(spring.lag(), velocity).after(seconds);
         boolean isAtRest =
@@ -41,7 +41,7 @@ record LandingDip(CameraSpring spring) {
     }
 
     /** Returns the metres below the usual height between this tick and the next one. */
-    double metres(LandingDip later, double share) {
-        return -(spring.lag().y() + (later.spring.lag().y() - spring.lag().y()) * share);
+    double metres(LandingDip later, double fraction) {
+        return -(spring.lag().y() + (later.spring.lag().y() - spring.lag().y()) * fraction);
     }
 }

@@ -17,20 +17,20 @@ import nephele.engine.sim.state.PlayerState;
  * the bounds of models that the sphere touches. The simulation does not know the sphere: it moves the player's body.
  */
 public final class ObserverView {
-    private final Level.Observer said;
+    private final Level.Observer authored;
     private final Camera camera;
     private final ModelBounds bounds;
     private Bounds shown;
     private View view;
 
     private ObserverView(Level level, PlacedModels models) {
-        said = level.observer();
+        authored = level.observer();
         camera = level.cameras().stream()
-                .filter(one -> said.camera() == null || said.camera().equals(one.id()))
+                .filter(one -> authored.camera() == null || authored.camera().equals(one.id()))
                 .findFirst()
                 .orElseThrow();
         bounds = ModelBounds.of(models);
-        shown = said.bounds();
+        shown = authored.bounds();
     }
 
     /** Returns the view of a level; {@code null} if it has no observer. */
@@ -62,12 +62,13 @@ public final class ObserverView {
 
     /** Returns the sphere at a pose of the player between two ticks. */
     ObserverSphere sphere(PlayerPose.Body body, PlayerState player) {
-        double above = said.radiusMetres() - player.stance().centreAboveFeet();
+        double above = authored.radiusMetres() - player.stance().centreAboveFeet();
         return at(body.centre().addScaled(above, body.up()));
     }
 
     /** Returns the sphere with its centre at a place. */
     public ObserverSphere at(Vec3 centre) {
-        return new ObserverSphere(centre, said.radiusMetres(), bounds.touch(shown, centre, said.radiusMetres()));
+        return new ObserverSphere(
+                centre, authored.radiusMetres(), bounds.touch(shown, centre, authored.radiusMetres()));
     }
 }

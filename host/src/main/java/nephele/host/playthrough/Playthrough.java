@@ -39,7 +39,7 @@ public final class Playthrough {
     private static final long NEVER = Long.MIN_VALUE / 2;
 
     /** How much farther than the camera the body of a character sinks that is seen from behind. */
-    private static final double BODY_DIP_SHARE = 2;
+    private static final double BODY_DIP_FRACTION = 2;
 
     /** Time in which a held body becomes transparent, or opaque again when the camera leaves the eye. */
     private static final double CLEARING_SECONDS = 0.2;
@@ -66,7 +66,7 @@ public final class Playthrough {
     private PlayerPose viewedFrom;
     private double viewFovDegrees;
     private View view;
-    private Seen seen;
+    private FrameCamera frameCamera;
     private Vec3 heldFromEye;
     private double heldClarity;
     private boolean isCut = true;
@@ -288,7 +288,7 @@ public final class Playthrough {
         if (observer != null) {
             return observer.view(aspect);
         }
-        PlayerPose camera = seen().camera();
+        PlayerPose camera = frameCamera().camera();
         boolean isSame = view != null
                 && viewedFrom == camera
                 && view.projection().aspect() == aspect
@@ -305,7 +305,7 @@ public final class Playthrough {
     public CrosshairState sights(double widthPoints, double heightPoints) {
         CrosshairState.Half first = aiming.half(after, GunPortals.Colour.FIRST);
         CrosshairState.Half second = aiming.half(after, GunPortals.Colour.SECOND);
-        Seen now = seen();
+        FrameCamera now = frameCamera();
         if (now.isFirstPerson()) {
             if (middle.first() != first || middle.second() != second) {
                 middle = new CrosshairState(0, 0, first, second);
@@ -313,12 +313,12 @@ public final class Playthrough {
             return middle;
         }
         View view = view(widthPoints / heightPoints);
-        Vec3 way = now.aimed().minus(view.eye());
-        double depth = Math.max(-way.dot(view.back()), LEAST_DEPTH_METRES);
+        Vec3 towards = now.aimed().minus(view.eye());
+        double depth = Math.max(-towards.dot(view.back()), LEAST_DEPTH_METRES);
         double pointsPerUnit = heightPoints / 2 / (view.projection().tanHalfHeight() * depth);
         return new CrosshairState(
-                toHalves(way.dot(view.right()) * pointsPerUnit),
-                toHalves(-way.dot(view.up()) * pointsPerUnit),
+                toHalves(towards.dot(view.right()) * pointsPerUnit),
+                toHalves(-towards.dot(view.up()) * pointsPerUnit),
                 first,
                 second);
     }
@@ -330,39 +330,43 @@ public final class Playthrough {
 
     /** Returns the frame state between the last two ticks; always the same object. */
     public FrameState frameState() {
-        double share = clock.fraction();
-        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        double fraction = clock.fraction();
+        double seconds = Math.max(0, after.tick() - 1 + fraction) * secondsPerTick;
         live.frameState().previews(aiming.previews(after));
-        live.world(before, after, share, ages);
-        live.frameState().closing(ages.closing(after.tick(), share));
-        live.frameState().shotEffects(shots.at(after.tick(), share));
+        live.world(before, after, fraction, ages);
+        live.frameState().closing(ages.closing(after.tick(), fraction));
+        live.frameState().shotEffects(shots.at(after.tick(), fraction));
         live.frameState()
-                .muzzleLight(
-                        shots.muzzleLight(after.tick(), share, live.frameState().flashStyle()));
-        live.held(after, heldFromCamera(share), observer == null ? heldClarity : 0);
+                .muzzleLight(shots.muzzleLight(
+                        after.tick(), fraction, live.frameState().flashStyle()));
+        live.held(after, heldFromCamera(fraction), observer == null ? heldClarity : 0);
         if (observer != null) {
-            live.frameState().observer(observer.sphere(seen().player().body(), after.player()));
+            live.frameState().observer(observer.sphere(frameCamera().player().body(), after.player()));
         }
-        AnimationState animation = animationBefore.towards(animationAfter, share);
-        double dip = dip(share);
-        live.frameState().gun(gun(animation, share, dip));
-        live.character(seen().player(), animation, boom.isOut() ? BODY_DIP_SHARE * dip : dip, seconds);
+        AnimationState animation = animationBefore.towards(animationAfter, fraction);
+        double dip = dip(fraction);
+        live.frameState().gun(gun(animation, fraction, dip));
+        live.character(frameCamera().player(), animation, boom.isOut() ? BODY_DIP_FRACTION * dip : dip, seconds);
         return live.frameState();
     }
 
     /** Returns the gun in the player's hand; {@code null} without one, and if it is not the player's eye that sees. */
-    private GunInHand gun(AnimationState animation, double share, double dip) {
+    private GunInHand gun(AnimationState animation, double fraction, double dip) {
         if (!hasGun || observer != null || boom.isOut()) {
             return null;
         }
         var moment = new GunMotion.Moment(
-                after.tick(), share, secondsPerTick, motion, live.frameState().flashStyle());
+                after.tick(),
+                fraction,
+                secondsPerTick,
+                motion,
+                live.frameState().flashStyle());
         return gunBefore.at(moment, gunAfter, animation, dip);
     }
 
     /** Returns by how much the eye is below its usual height after a landing, metres. */
-    private double dip(double share) {
-        return motion == PictureMotion.REDUCED ? 0 : dipBefore.metres(dipAfter, share);
+    private double dip(double fraction) {
+        return motion == PictureMotion.REDUCED ? 0 : dipBefore.metres(dipAfter, fraction);
     }
 
     /** @param fromEye position of the held body, {@code null} for none, which is never transparent */
@@ -373,12 +377,12 @@ public final class Playthrough {
     }
 
     /** Returns the held body's position relative to the camera, also while the camera leaves the eye. */
-    private Vec3 heldFromCamera(double share) {
+    private Vec3 heldFromCamera(double fraction) {
         if (heldClarity == 0 || !boom.isOut()) {
             return heldFromEye;
         }
         return Vec3.of(
-                heldFromEye.toVector().sub(boom.offset(before, after, share).toVector()));
+                heldFromEye.toVector().sub(boom.offset(before, after, fraction).toVector()));
     }
 
     /**
@@ -386,8 +390,8 @@ public final class Playthrough {
      *
      * @param aimed in the camera's space
      */
-    private record Seen(
-            SimState after, double share, boolean isFirstPerson, PlayerPose player, PlayerPose camera, Vec3 aimed) {}
+    private record FrameCamera(
+            SimState after, double fraction, boolean isFirstPerson, PlayerPose player, PlayerPose camera, Vec3 aimed) {}
 
     /** Returns a pose with its eye lowered; an eye beyond a portal stays where it is. */
     private static PlayerPose dipped(PlayerPose pose, double metres) {
@@ -399,15 +403,18 @@ public final class Playthrough {
     }
 
     /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
-    private Seen seen() {
-        double share = clock.fraction();
-        if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
-            PlayerPose player = PlayerPose.between(before, after, share);
+    private FrameCamera frameCamera() {
+        double fraction = clock.fraction();
+        if (frameCamera == null
+                || frameCamera.after != after
+                || frameCamera.fraction != fraction
+                || frameCamera.isFirstPerson() == boom.isOut()) {
+            PlayerPose player = PlayerPose.between(before, after, fraction);
             boolean isOut = boom.isOut();
             Vector3d aimed = isOut ? boom.aimedAt(player) : new Vector3d();
-            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : dipped(player, dip(share));
-            seen = new Seen(after, share, !isOut, player, camera, Vec3.of(aimed));
+            PlayerPose camera = isOut ? boom.camera(before, after, fraction, aimed) : dipped(player, dip(fraction));
+            frameCamera = new FrameCamera(after, fraction, !isOut, player, camera, Vec3.of(aimed));
         }
-        return seen;
+        return frameCamera;
     }
 }

@@ -65,15 +65,15 @@ final class PortalAges {
         portals = now;
     }
 
-    /** Returns the portals that are closing, at a share of the tick that ends in {@code tick}. */
-    List<FrameState.ClosingPortal> closing(long tick, double share) {
+    /** Returns the portals that are closing, at a fraction of the tick that ends in {@code tick}. */
+    List<FrameState.ClosingPortal> closing(long tick, double fraction) {
         moved.removeIf(earlier -> seconds(earlier, tick, 0) >= CLOSING_SECONDS);
         if (moved.isEmpty()) {
             return List.of();
         }
         List<FrameState.ClosingPortal> closing = new ArrayList<>(moved.size());
         for (Moved earlier : moved) {
-            double left = 1 - seconds(earlier, tick, share) / CLOSING_SECONDS;
+            double left = 1 - seconds(earlier, tick, fraction) / CLOSING_SECONDS;
             if (left > 0) {
                 closing.add(new FrameState.ClosingPortal(earlier.from, earlier.colour, left * left));
             }
@@ -81,15 +81,15 @@ final class PortalAges {
         return closing;
     }
 
-    private double seconds(Moved earlier, long tick, double share) {
-        return (tick - earlier.tick + share) * secondsPerTick;
+    private double seconds(Moved earlier, long tick, double fraction) {
+        return (tick - earlier.tick + fraction) * secondsPerTick;
     }
 
     /**
-     * Returns the openness of a portal, 0 to 1, at a share of the tick that ends in {@code tick}: fast, then slower.
+     * Returns the openness of a portal, 0 to 1, at a fraction of the tick that ends in {@code tick}: fast, then slower.
      */
-    double openness(int portal, long tick, double share) {
-        double seconds = (tick - madeInTick[portal] + share) * secondsPerTick;
+    double openness(int portal, long tick, double fraction) {
+        double seconds = (tick - madeInTick[portal] + fraction) * secondsPerTick;
         double left = Math.max(0, 1 - seconds / OPENING_SECONDS);
         return Math.max(LEAST_OPENNESS, 1 - left * left * left);
     }

@@ -72,11 +72,11 @@ final class ShotEffects {
         Basis view = pose.view();
         double metres = end.minus(pose.eye()).length();
         // Close to a wall the gun reaches through it, as it is drawn in front.
-        double share = Math.min(1, 0.7 * metres / from.length());
+        double fraction = Math.min(1, 0.7 * metres / from.length());
         Vec3 muzzle = pose.eye()
-                .addScaled(share * wide * from.x(), view.right())
-                .addScaled(share * wide * from.y(), view.up())
-                .addScaled(share * from.z(), view.back());
+                .addScaled(fraction * wide * from.x(), view.right())
+                .addScaled(fraction * wide * from.y(), view.up())
+                .addScaled(fraction * from.z(), view.back());
         last = new Lasting(Kind.BOLT, colour, tick, BOLT_SECONDS, muzzle, end);
         lasting.add(last);
     }
@@ -113,25 +113,25 @@ final class ShotEffects {
         last = null;
     }
 
-    /** Returns the last shot's light on surfaces at a share of the tick that ends in {@code tick}; {@code null} for none. */
-    MuzzleLight muzzleLight(long tick, double share, FlashStyle flashes) {
+    /** Returns the last shot's light on surfaces at a fraction of the tick that ends in {@code tick}; {@code null} for none. */
+    MuzzleLight muzzleLight(long tick, double fraction, FlashStyle flashes) {
         if (last == null) {
             return null;
         }
-        double seconds = (tick - last.beginTick + share) * secondsPerTick;
+        double seconds = (tick - last.beginTick + fraction) * secondsPerTick;
         double strength = MuzzleLight.strengthAfter(seconds, flashes);
         return strength > 0 ? new MuzzleLight(last.from, last.colour, strength) : null;
     }
 
-    /** Returns the effects at a share of the tick that ends in {@code tick}. */
-    List<FrameState.ShotEffect> at(long tick, double share) {
+    /** Returns the effects at a fraction of the tick that ends in {@code tick}. */
+    List<FrameState.ShotEffect> at(long tick, double fraction) {
         lasting.removeIf(each -> (tick - each.beginTick) * secondsPerTick >= each.seconds);
         if (lasting.isEmpty()) {
             return List.of();
         }
         List<FrameState.ShotEffect> now = new ArrayList<>(lasting.size());
         for (Lasting each : lasting) {
-            double age = (tick - each.beginTick + share) * secondsPerTick / each.seconds;
+            double age = (tick - each.beginTick + fraction) * secondsPerTick / each.seconds;
             if (age >= 0 && age < 1) {
                 now.add(new FrameState.ShotEffect(each.kind, each.colour, age, each.from, each.to));
             }

@@ -78,7 +78,7 @@ final class ShotPreviews {
         boolean made = state.world().shots().portal(shot) != GunPortals.UNFIRED;
         boolean opens = would instanceof PlacementResult.Fits;
         return new CrosshairState.Half(
-                made ? CrosshairState.Portal.MADE : CrosshairState.Portal.NONE,
+                made,
                 opens ? CrosshairState.Shot.OPENS : CrosshairState.Shot.REFUSED,
                 isUneven(would)
                         ? PlacementResult.Refused.millimetres(((PlacementResult.Refused) would).unevenMetres())

@@ -9,4 +9,20 @@ public interface TickInput {
 
     /** Returns true when a replay has no further tick. */
     boolean isFinished();
+
+    /** Returns this input without its turns: before a fixed camera, each key always moves in the same direction. */
+    default TickInput unturned() {
+        TickInput turning = this;
+        return new TickInput() {
+            @Override
+            public PlayerInput next() {
+                return turning.next().turning(0, 0);
+            }
+
+            @Override
+            public boolean isFinished() {
+                return turning.isFinished();
+            }
+        };
+    }
 }

@@ -41,8 +41,8 @@ public record CrashReport(List<String> arguments, Instant when, Throwable crash)
     }
 
     private static String withoutHome(String text, String home) {
-        boolean tellsSomething = home.length() > 1;
-        return tellsSomething ? text.replace(home, "~") : text;
+        boolean isFolder = home.length() > 1;
+        return isFolder ? text.replace(home, "~") : text;
     }
 
     private static Path temporaryFolder() {

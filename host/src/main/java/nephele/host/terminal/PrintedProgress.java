@@ -17,23 +17,23 @@ public final class PrintedProgress implements DoubleConsumer {
 
     private final PrintStream to;
     private final String work;
-    private final double shareBefore;
+    private final double fractionBefore;
     private final LongSupplier nanoseconds;
     private final long start;
     private int printedPercent;
     private double printedSeconds;
 
     /**
-     * @param shareBefore 0–1, done before this run
+     * @param fractionBefore 0–1, done before this run
      * @param nanoseconds a clock
      */
-    PrintedProgress(PrintStream to, String work, double shareBefore, LongSupplier nanoseconds) {
+    PrintedProgress(PrintStream to, String work, double fractionBefore, LongSupplier nanoseconds) {
         this.to = to;
         this.work = work;
-        this.shareBefore = shareBefore;
+        this.fractionBefore = fractionBefore;
         this.nanoseconds = nanoseconds;
         start = nanoseconds.getAsLong();
-        printedPercent = percent(shareBefore);
+        printedPercent = percent(fractionBefore);
     }
 
     /** Returns the progress of other work. */
@@ -54,32 +54,32 @@ public final class PrintedProgress implements DoubleConsumer {
     /**
      * Returns the progress of a reference picture of which a part is done.
      *
-     * @param shareBefore 0–1
+     * @param fractionBefore 0–1
      */
-    public static PrintedProgress ofTrace(PrintStream to, double shareBefore) {
-        return new PrintedProgress(to, "tracing the reference", shareBefore, System::nanoTime);
+    public static PrintedProgress ofTrace(PrintStream to, double fractionBefore) {
+        return new PrintedProgress(to, "tracing the reference", fractionBefore, System::nanoTime);
     }
 
-    private static int percent(double share) {
-        return (int) (share * 100);
+    private static int percent(double fraction) {
+        return (int) (fraction * 100);
     }
 
-    /** @param share 0–1 of the whole work, what was done before this run included; may be called by any thread */
+    /** @param fraction 0–1 of the whole work, what was done before this run included; may be called by any thread */
     @Override
-    public synchronized void accept(double share) {
+    public synchronized void accept(double fraction) {
         double seconds = (nanoseconds.getAsLong() - start) / 1e9;
-        int step = percent(share) / STEP_PERCENT * STEP_PERCENT;
+        int step = percent(fraction) / STEP_PERCENT * STEP_PERCENT;
         boolean isStep = step > printedPercent;
-        boolean isLate = percent(share) > printedPercent && seconds - printedSeconds >= MOST_SILENCE_SECONDS;
+        boolean isLate = percent(fraction) > printedPercent && seconds - printedSeconds >= MOST_SILENCE_SECONDS;
         if (isStep || isLate) {
-            printedPercent = isStep ? step : percent(share);
+            printedPercent = isStep ? step : percent(fraction);
             printedSeconds = seconds;
-            to.println(work + ": " + printedPercent + " %" + left(share, seconds));
+            to.println(work + ": " + printedPercent + " %" + left(fraction, seconds));
         }
     }
 
-    private String left(double share, double seconds) {
-        double left = seconds * (1 - share) / (share - shareBefore);
+    private String left(double fraction, double seconds) {
+        double left = seconds * (1 - fraction) / (fraction - fractionBefore);
         return left >= LEAST_SECONDS && left < Double.POSITIVE_INFINITY ? ", " + duration(left) + " left" : "";
     }
 

@@ -7,16 +7,10 @@ import java.io.PrintStream;
  *
  * @param out receives results
  * @param err receives messages about them
+ * @param isVerbose whether a command reports more, with {@code --verbose}
  * @param shown is called once a window shows what the command does, so that {@code err} need not tell
  */
-public record Terminal(PrintStream out, PrintStream err, Detail detail, Runnable shown) {
-    /** How much a command tells. */
-    public enum Detail {
-        USUAL,
-        /** With {@code --verbose}. */
-        VERBOSE
-    }
-
+public record Terminal(PrintStream out, PrintStream err, boolean isVerbose, Runnable shown) {
     /** Creates a terminal for a command without {@code --verbose}. */
     public Terminal(PrintStream out, PrintStream err) {
         this(out, err, () -> {});
@@ -24,11 +18,11 @@ public record Terminal(PrintStream out, PrintStream err, Detail detail, Runnable
 
     /** Creates a terminal for a command without {@code --verbose} that may show a window. */
     public Terminal(PrintStream out, PrintStream err, Runnable shown) {
-        this(out, err, Detail.USUAL, shown);
+        this(out, err, false, shown);
     }
 
-    /** Returns this terminal with another detail. */
-    public Terminal with(Detail changed) {
-        return new Terminal(out, err, changed, shown);
+    /** Returns this terminal with or without more detail. */
+    public Terminal verbose(boolean isMore) {
+        return new Terminal(out, err, isMore, shown);
     }
 }

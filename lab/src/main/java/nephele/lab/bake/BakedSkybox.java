@@ -40,7 +40,7 @@ public final class BakedSkybox {
     /**
      * @param side of a picture, pixels
      * @param faces linear radiance, RGB, the bottom row first; kept, not copied
-     * @param sunShare the fraction of the light of sun or moon that clouds let pass on its way to the eye
+     * @param sunFraction the fraction of the light of sun or moon that clouds let pass on its way to the eye
      */
     public BakedSkybox(int side, List<float[]> faces, double sunFraction) {
         this.side = side;
@@ -168,15 +168,30 @@ public final class BakedSkybox {
     }
 
     private EightBitLoss tallied() {
-        EightBitLoss.Tally tally = new EightBitLoss.Tally(whiteRadiance);
+        int clipped = 0;
+        int dark = 0;
+        double brightest = 0;
+        double light = 0;
+        double above = 0;
         for (int face = 0; face < FACES; face++) {
+            float[] rgb = faces.get(face);
             for (int pixel = 0; pixel < side * side; pixel++) {
                 double fromMiddle = SQUARES.get(face).direction(0, 0).dot(direction(face, pixel, 0.5, 0.5));
                 // A pixel's solid angle falls with the third power of this cosine.
-                tally.add(faces.get(face), pixel, fromMiddle * fromMiddle * fromMiddle);
+                double steradians = fromMiddle * fromMiddle * fromMiddle;
+                double most = 0;
+                for (int at = 3 * pixel; at < 3 * pixel + 3; at++) {
+                    most = Math.max(most, rgb[at]);
+                    light += steradians * rgb[at];
+                    above += steradians * Math.max(0, rgb[at] - whiteRadiance);
+                }
+                clipped += most > whiteRadiance ? 1 : 0;
+                dark += most < EightBitLoss.FIRST_CODE * whiteRadiance ? 1 : 0;
+                brightest = Math.max(brightest, most);
             }
         }
-        return tally.loss();
+        double lost = light > 0 ? above / light : 0;
+        return new EightBitLoss(whiteRadiance, FACES * side * side, clipped, dark, brightest, lost);
     }
 
     /** Returns the fraction of the light of sun or moon that clouds let pass on its way to the eye. */

@@ -24,9 +24,9 @@ import nephele.host.terminal.PrintedProgress;
  * Traces pictures of one level, or shards of them, into a part file each: an interrupted run goes on from the tiles that
  * are on disk.
  *
- * @param tell receives progress
+ * @param log receives progress
  */
-public record ResumableTrace(List<Part> parts, PrintStream tell) {
+public record ResumableTrace(List<Part> parts, PrintStream log) {
     /**
      * A picture or a shard of it.
      *
@@ -57,7 +57,7 @@ public record ResumableTrace(List<Part> parts, PrintStream tell) {
             for (Part part : parts) {
                 open.add(new Open(part));
             }
-            new Run(level, settings, open).run();
+            traceLeft(level, settings, open);
         } catch (IllegalStateException stopped) {
             if (stopped.getCause() instanceof UncheckedIOException unwritten) {
                 throw unwritten.getCause();
@@ -105,58 +105,45 @@ public record ResumableTrace(List<Part> parts, PrintStream tell) {
         }
     }
 
-    /** The work that is left. */
-    private final class Run {
-        private final TracedLevel level;
-        private final TraceSettings settings;
-        private final List<Open> open;
-        private final int count = parts.stream().mapToInt(Part::tiles).sum();
-        private final AtomicInteger done = new AtomicInteger();
-
-        Run(TracedLevel level, TraceSettings settings, List<Open> open) {
-            this.level = level;
-            this.settings = settings;
-            this.open = open;
+    /** Traces the tiles that are not in the files. */
+    private void traceLeft(TracedLevel level, TraceSettings settings, List<Open> open) {
+        int count = parts.stream().mapToInt(Part::tiles).sum();
+        int found = open.stream().mapToInt(part -> part.file.found()).sum();
+        double before = (double) found / count;
+        for (Open part : open) {
+            part.file
+                    .replaced()
+                    .ifPresent(difference -> log.println(part.part.file + " was of another picture: " + difference));
         }
-
-        void run() {
-            done.set(open.stream().mapToInt(part -> part.file.found()).sum());
-            double before = (double) done.get() / count;
-            for (Open part : open) {
-                part.file
-                        .replaced()
-                        .ifPresent(
-                                difference -> tell.println(part.part.file + " was of another picture: " + difference));
-            }
-            if (done.get() > 0) {
-                tell.println("resumed at " + (int) (100 * before) + " %");
-            }
-            var progress = PrintedProgress.ofTrace(tell, before);
-            long pixels = 0;
-            long start = System.nanoTime();
-            for (Open part : open) {
-                int[] left = part.left();
-                pixels += IntStream.of(left)
-                        .mapToLong(part.part.header.tiles()::pixels)
-                        .sum();
-                ReferencePicture.tiles(level, part.part.eye, settings, IntStream.of(left), tile -> {
-                    part.put(tile);
-                    progress.accept((double) done.incrementAndGet() / count);
-                });
-            }
-            tellSpeed(pixels * settings.samples(), (System.nanoTime() - start) / 1e9);
+        if (found > 0) {
+            log.println("resumed at " + (int) (100 * before) + " %");
         }
+        var progress = PrintedProgress.ofTrace(log, before);
+        var done = new AtomicInteger(found);
+        long pixels = 0;
+        long start = System.nanoTime();
+        for (Open part : open) {
+            int[] left = part.left();
+            pixels += IntStream.of(left)
+                    .mapToLong(part.part.header.tiles()::pixels)
+                    .sum();
+            ReferencePicture.tiles(level, part.part.eye, settings, IntStream.of(left), tile -> {
+                part.put(tile);
+                progress.accept((double) done.incrementAndGet() / count);
+            });
+        }
+        reportSpeed(pixels * settings.samples(), settings.threads(), (System.nanoTime() - start) / 1e9);
+    }
 
-        private void tellSpeed(long paths, double seconds) {
-            if (paths > 0) {
-                tell.println(String.format(
-                        Locale.ROOT,
-                        "%,d paths by %d threads in %.1f s: %,.0f a second",
-                        paths,
-                        settings.threads(),
-                        seconds,
-                        paths / seconds));
-            }
+    private void reportSpeed(long paths, int threads, double seconds) {
+        if (paths > 0) {
+            log.println(String.format(
+                    Locale.ROOT,
+                    "%,d paths by %d threads in %.1f s: %,.0f a second",
+                    paths,
+                    threads,
+                    seconds,
+                    paths / seconds));
         }
     }
 }

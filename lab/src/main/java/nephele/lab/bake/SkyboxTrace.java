@@ -23,7 +23,6 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.OpenedLevel;
 
 /**
@@ -51,8 +50,7 @@ public final class SkyboxTrace {
         lit = Daylight.lit(opened.level()).environment();
         // No surface needs the sky's irradiance, which is integrated unless the ambient light is a constant.
         Level alone = Level.of("", "", lit.withFog((Environment.Fog) null).withAmbient(Vec3.ZERO), List.of());
-        sky = AssetProblems.named(
-                opened, () -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
+        sky = opened.reporting(() -> TracedLevel.of(PlacedLevel.of(alone, opened.assets()), ColourDecoding.SRGB));
     }
 
     public boolean hasClouds() {
@@ -63,11 +61,11 @@ public final class SkyboxTrace {
      * Traces the six pictures; an interrupted run goes on when it is started again.
      *
      * @param side of a picture, pixels
-     * @param tell receives progress
+     * @param log receives progress
      */
-    public BakedSkybox run(List<ResumableTrace.Part> parts, TraceSettings settings, PrintStream tell)
+    public BakedSkybox run(List<ResumableTrace.Part> parts, TraceSettings settings, PrintStream log)
             throws IOException {
-        List<TiledPicture> pictures = new ResumableTrace(parts, tell).run(sky, settings);
+        List<TiledPicture> pictures = new ResumableTrace(parts, log).run(sky, settings);
         Sun onGround = Daylight.onGround(lit);
         double fraction = onGround == null
                 ? 1

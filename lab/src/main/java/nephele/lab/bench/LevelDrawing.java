@@ -14,13 +14,23 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
 /** A level drawn by the engine along a camera path; particles and billboards move by 1/60 s in each frame of it. */
-public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture, FrameState state)
+public record LevelDrawing(
+        Renderer renderer, List<View> views, RenderTarget picture, FrameState state, boolean isAnimated)
         implements Drawing {
     private static final double FRAMES_PER_SECOND = 60;
     private static final int LEAST_TIMED_FRAMES = 60;
 
     public LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture) {
-        this(renderer, views, picture, FrameState.atStart(renderer.scene().level()));
+        this(
+                renderer,
+                views,
+                picture,
+                FrameState.atStart(renderer.scene().level()),
+                isAnimated(renderer.scene().level()));
+    }
+
+    private static boolean isAnimated(Level level) {
+        return !level.emitters().isEmpty() || level.billboards().stream().anyMatch(Billboards::moves);
     }
 
     @Override
@@ -34,8 +44,7 @@ public record LevelDrawing(Renderer renderer, List<View> views, RenderTarget pic
     }
 
     private void draw(int frame, StepListener listener) {
-        Level level = renderer.scene().level();
-        if (!level.emitters().isEmpty() || level.billboards().stream().anyMatch(Billboards::moves)) {
+        if (isAnimated) {
             state.seconds(frame / FRAMES_PER_SECOND);
         }
         renderer.draw(views.get(frame), state, picture, listener);

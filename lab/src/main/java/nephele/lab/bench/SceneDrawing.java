@@ -8,15 +8,21 @@ import nephele.scenes.fixed.SceneAppearance;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** An XML scene seen by its own camera, 1/60 s later in each frame. Closing it closes the scene and the picture. */
-public record SceneDrawing(GlContext gl, FixedSceneDrawing scene, View view, RenderTarget picture, int roundLength)
+/** An XML scene drawn 1/60 s later in each frame. Closing it closes the scene and the picture. */
+public record SceneDrawing(
+        GlContext gl,
+        FixedSceneDrawing scene,
+        View view,
+        SceneAppearance appearance,
+        RenderTarget picture,
+        int roundLength)
         implements Drawing {
     private static final Matrix4dc AT_HOME = new Matrix4d();
 
     @Override
     public void draw(int frame) {
         gl.state().resetCounts();
-        scene.draw(view, frame / 60.0, AT_HOME, SceneAppearance.USUAL, picture);
+        scene.draw(view, frame / 60.0, AT_HOME, appearance, picture);
     }
 
     @Override

@@ -1,7 +1,9 @@
 package nephele.lab.generate;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import nephele.engine.model.Mesh;
 
@@ -31,6 +33,35 @@ public record PlantKind(Family family, String word, double heightMetres, BiConsu
         public String word() {
             return this == TREE ? "tree" : "rock";
         }
+    }
+
+    /** Returns all kinds. */
+    public static List<PlantKind> all() {
+        return List.of(
+                LeafyPlants.OAK,
+                LeafyPlants.BIRCH,
+                FirTree.KIND,
+                LeafyPlants.CYPRESS,
+                LeafyPlants.BUSH,
+                GroundPlants.FERN,
+                GroundPlants.GRASS,
+                Rocks.BOULDER,
+                Rocks.LEDGE);
+    }
+
+    /** Returns the kind with a name. */
+    public static Optional<PlantKind> named(Family family, String word) {
+        return all().stream()
+                .filter(kind -> kind.family() == family && kind.word().equals(word))
+                .findFirst();
+    }
+
+    /** Returns the names of a family's kinds, separated by commas. */
+    public static String words(Family family) {
+        return all().stream()
+                .filter(kind -> kind.family() == family)
+                .map(PlantKind::word)
+                .collect(Collectors.joining(", "));
     }
 
     /** Returns the mesh of a seed: the same seed always gives the same mesh. */

@@ -13,7 +13,7 @@ import org.joml.Vector3dc;
  * @param stepMetres from a node to the next
  * @param reachMetres the distance from which a point attracts a node
  * @param killMetres the distance at which a point is used up
- * @param lift the upward share of the direction of growth
+ * @param lift the upward fraction of the direction of growth
  */
 record SpaceColonisation(double stepMetres, double reachMetres, double killMetres, double lift) {
     private static final int MOST_ROUNDS = 80;

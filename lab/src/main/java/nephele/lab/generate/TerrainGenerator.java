@@ -1,7 +1,6 @@
 package nephele.lab.generate;
 
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.math.SeededNoise;
 
 /**
@@ -106,6 +105,6 @@ public final class TerrainGenerator {
         for (int i = 0; i < values.length; i++) {
             values[i] = (short) Math.round(HeightMap.FULL_SCALE * Math.max(0, Math.min(1, heights[i])));
         }
-        return HeightMapFile.png(new HeightMap(side, side, 16, values));
+        return new HeightMap(side, side, 16, values).png();
     }
 }

@@ -107,11 +107,14 @@ public record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
             return Directions.unit(
                     Math.signum(along.y()) * along.x(), Math.abs(along.y()), Math.signum(along.y()) * along.z());
         }
-        Vec3 seen = view.back().negated();
+        Vec3 forward = view.back().negated();
         // If the view is straight down, its up vector points ahead; if straight up, the opposite.
-        Vec3 ahead = Math.abs(seen.y()) > 1 - 1e-9
-                ? new Vec3(-seen.y() * view.up().x(), 0, -seen.y() * view.up().z())
-                : seen;
+        Vec3 ahead = Math.abs(forward.y()) > 1 - 1e-9
+                ? new Vec3(
+                        -forward.y() * view.up().x(),
+                        0,
+                        -forward.y() * view.up().z())
+                : forward;
         return Directions.unit(ahead.x(), 0, ahead.z());
     }
 }

@@ -60,10 +60,10 @@ public final class CloudPages {
      *
      * @param width of their pictures in pixels
      */
-    public static void write(Path folder, int width, int height, PrintStream tell) throws IOException {
-        try (var pictures = new PagePictures(folder.resolve("pictures"), width, height, tell)) {
+    public static void write(Path folder, int width, int height, PrintStream log) throws IOException {
+        try (var pictures = new PagePictures(folder.resolve("pictures"), width, height, log)) {
             for (CloudTechnique technique : TechniqueText.ALL) {
-                String page = new HandoutPage(TechniqueText.of(technique), pictures).html();
+                String page = new HandoutPage(TechniqueText.of(technique), pictures::address).html();
                 AtomicFile.write(folder.resolve(HandoutPage.file(technique)), page.getBytes(StandardCharsets.UTF_8));
             }
         }

@@ -1,8 +1,8 @@
 package nephele.lab.technique;
 
-import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import nephele.engine.level.CloudTechnique;
 import nephele.lab.trade.HtmlDocument;
@@ -10,15 +10,10 @@ import nephele.lab.trade.HtmlDocument;
 /** The page of one technique: how it works, its shader, its sample and its failure at the extremes. */
 final class HandoutPage {
     private final TechniqueText text;
-    private final Source pictures;
+    private final Function<PictureCommand, Optional<String>> pictures;
 
-    /** A source of the pictures of pages. */
-    interface Source {
-        /** Returns a picture as the address of an image element; empty if its level does not exist. */
-        Optional<String> address(PictureCommand command) throws IOException;
-    }
-
-    HandoutPage(TechniqueText text, Source pictures) {
+    /** @param pictures returns a picture as the address of an image element; empty if its level does not exist */
+    HandoutPage(TechniqueText text, Function<PictureCommand, Optional<String>> pictures) {
         this.text = text;
         this.pictures = pictures;
     }
@@ -27,7 +22,7 @@ final class HandoutPage {
         return "technique-" + TechniqueText.word(technique) + ".html";
     }
 
-    String html() throws IOException {
+    String html() {
         String title = text.one("title");
         return HtmlDocument.of(
                 "Clouds by " + title,
@@ -67,12 +62,12 @@ final class HandoutPage {
         return html.append("</section>\n").toString();
     }
 
-    private String sample() throws IOException {
-        TechniqueText.Picture sample = TechniqueText.Picture.of(text.one("sample"));
+    private String sample() {
+        PictureCommand sample = PictureCommand.of(text.one("sample"));
         return "<section><h2>Its sample</h2>\n" + figure(sample) + "</section>\n";
     }
 
-    private String failures() throws IOException {
+    private String failures() {
         var html = new StringBuilder("<section><h2>Where it fails</h2>\n");
         for (TechniqueText.Failure failure : text.failures()) {
             html.append("<div class=\"failure\"><p>")
@@ -85,12 +80,12 @@ final class HandoutPage {
         return html.append("</section>\n").toString();
     }
 
-    private String figure(TechniqueText.Picture picture) throws IOException {
-        Optional<String> address = pictures.address(picture.command());
+    private String figure(PictureCommand picture) {
+        Optional<String> address = pictures.apply(picture);
         String image = address.map(found -> "<img alt=\"" + plain(picture.caption()) + "\" src=\"" + found + "\">")
                 .orElse("<p class=\"about\">no picture: the level is missing</p>");
         return "<figure>" + image + "<figcaption><b>" + picture.caption() + "</b><br><code>render "
-                + HtmlDocument.text(picture.command().words()) + "</code></figcaption></figure>\n";
+                + HtmlDocument.text(picture.words()) + "</code></figcaption></figure>\n";
     }
 
     private static String plain(String html) {

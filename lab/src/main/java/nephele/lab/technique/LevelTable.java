@@ -11,7 +11,6 @@ import java.util.Locale;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.TextFile;
 import nephele.engine.choice.CloudColumns;
-import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
 import nephele.engine.choice.ErrorTable;
 import nephele.engine.choice.ErrorTable.Row;
@@ -44,7 +43,7 @@ public final class LevelTable {
     private final OpenedLevel opened;
     private final Path file;
     private final int samples;
-    private final PrintStream tell;
+    private final PrintStream log;
     private final Stopwatch watch = new Stopwatch();
 
     /**
@@ -54,10 +53,10 @@ public final class LevelTable {
      * @param samples rays a pixel of the traced pictures
      * @throws CommandFailure if there is no such file or its folder cannot be written to
      */
-    public LevelTable(OpenedLevel opened, String typed, int samples, PrintStream tell) {
+    public LevelTable(OpenedLevel opened, String typed, int samples, PrintStream log) {
         this.opened = opened;
         this.samples = samples;
-        this.tell = tell;
+        this.log = log;
         Path level = Path.of(typed).toAbsolutePath();
         if (!Files.isRegularFile(level)) {
             throw CommandFailure.input(typed
@@ -83,7 +82,7 @@ public final class LevelTable {
         List<Row> rows = new ArrayList<>();
         try (GlContext gl = GlContext.offscreen()) {
             for (int i = 0; i < clouds.size(); i++) {
-                tell.println("table of the level's clouds: " + (i + 1) + " of " + clouds.size());
+                log.println("table of the level's clouds: " + (i + 1) + " of " + clouds.size());
                 rows.addAll(rows(
                         gl,
                         clouds.get(i),
@@ -124,7 +123,7 @@ public final class LevelTable {
             }
         }
         if (skies.isEmpty()) {
-            tell.println(cloud.id() + ": no camera looks at it; the shipped table counts for it");
+            log.println(cloud.id() + ": no camera looks at it; the shipped table counts for it");
         }
         List<Row> rows = new ArrayList<>();
         for (CloudTechnique technique : skies.isEmpty() ? List.<CloudTechnique>of() : TableMaker.techniques(cloud)) {
@@ -143,7 +142,7 @@ public final class LevelTable {
 
     private static Row row(Cloud cloud, CloudTechnique technique, CloudSituation at, double error, double cost) {
         return new Row(
-                CloudForm.only(cloud).word(),
+                CloudSituation.formOfOnly(cloud),
                 technique,
                 rounded(at.opticalDepth()),
                 rounded(at.angularDegrees()),
@@ -165,7 +164,7 @@ public final class LevelTable {
             views.add(View.ofCamera(camera, 0, aspect));
         }
         if (views.isEmpty()) {
-            views.add(Viewpoints.standard(level, opened.file(), aspect).view(0));
+            views.add(Viewpoints.standard(level, opened.file(), aspect).apply(0));
         }
         Environment environment = alone(level.environment()).withClouds(List.of(cloud));
         Level open = Level.of(level.name(), "", environment, level.cameras()).with(level.player(), null);

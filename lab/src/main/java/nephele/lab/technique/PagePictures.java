@@ -2,6 +2,7 @@ package nephele.lab.technique;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -17,32 +18,40 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.lab.trade.Pictures;
 import nephele.lab.trade.Provenance;
 
 /** Draws the pictures of pages, as {@code render} does, and keeps them in a folder until the code changes. */
-final class PagePictures implements HandoutPage.Source, AutoCloseable {
+final class PagePictures implements AutoCloseable {
     /** Frames after which what reuses earlier ones has settled. */
     private static final int FRAMES = 4;
 
     private final Path folder;
     private final int width;
     private final int height;
-    private final PrintStream tell;
+    private final PrintStream log;
     private GlContext gl;
 
-    PagePictures(Path folder, int width, int height, PrintStream tell) {
+    PagePictures(Path folder, int width, int height, PrintStream log) {
         this.folder = folder;
         this.width = width;
         this.height = height;
-        this.tell = tell;
+        this.log = log;
     }
 
-    @Override
-    public Optional<String> address(PictureCommand command) throws IOException {
+    /** Returns a picture as the address of an image element; empty if its level does not exist. */
+    Optional<String> address(PictureCommand command) {
+        try {
+            return drawn(command);
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    private Optional<String> drawn(PictureCommand command) throws IOException {
         String key = command.words() + " " + width + "x" + height + " " + Provenance.codeHash();
         Path file = folder.resolve("page-" + Long.toHexString(Hash64.of(key)) + ".png");
         if (!Files.exists(file)) {
@@ -50,10 +59,10 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
             try {
                 opened = new LevelName(command.level()).open();
             } catch (LevelFormatException missing) {
-                tell.println("page without a picture: " + missing.getMessage());
+                log.println("page without a picture: " + missing.getMessage());
                 return Optional.empty();
             }
-            tell.println("picture: " + command.words());
+            log.println("picture: " + command.words());
             draw(command, opened, file);
         }
         return Optional.of(Pictures.dataAddress(file));
@@ -66,7 +75,7 @@ final class PagePictures implements HandoutPage.Source, AutoCloseable {
         Level level = command.shown(opened.level());
         PlacedLevel placed = PlacedLevel.of(level, opened.assets());
         var settings = command.quality()
-                .settings(Outputs.defaultFor(level), gl.limits().software());
+                .settings(QualityChoice.defaultOutput(level), gl.limits().software());
         try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, width, height);
                 var renderer = LevelRenderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
             FrameState state = FrameState.atStart(level);

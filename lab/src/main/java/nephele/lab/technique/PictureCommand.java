@@ -15,13 +15,20 @@ import nephele.host.named.Viewpoints;
 /**
  * A picture of a page, by the arguments with which {@code render} draws it.
  *
+ * @param caption HTML; may be empty
+ * @param words the arguments
  * @param level file of a level
  * @param options by name, such as {@code --fov}
  * @param set changes of the quality high
  */
-record PictureCommand(String words, String level, Map<String, String> options, Map<String, String> set) {
-    static PictureCommand of(String words) {
-        String[] parts = words.trim().split("\\s+");
+record PictureCommand(
+        String caption, String words, String level, Map<String, String> options, Map<String, String> set) {
+    /** @param line the caption and a bar if there is one, then the arguments */
+    static PictureCommand of(String line) {
+        int bar = line.lastIndexOf(" | ");
+        String caption = bar < 0 ? "" : line.substring(0, bar);
+        String words = bar < 0 ? line.trim() : line.substring(bar + 3).trim();
+        String[] parts = words.split("\\s+");
         Map<String, String> options = new LinkedHashMap<>();
         Map<String, String> set = new LinkedHashMap<>();
         for (int i = 1; i + 1 < parts.length; i += 2) {
@@ -32,7 +39,7 @@ record PictureCommand(String words, String level, Map<String, String> options, M
                 options.put(parts[i], value);
             }
         }
-        return new PictureCommand(words.trim(), parts[0], options, set);
+        return new PictureCommand(caption, words, parts[0], options, set);
     }
 
     /** Returns the level with its clouds drawn by the technique. */
@@ -53,9 +60,9 @@ record PictureCommand(String words, String level, Map<String, String> options, M
         }
         String camera = options.get("--camera");
         return camera == null
-                ? Viewpoints.standard(opened.level(), opened.file(), aspect).view(0)
+                ? Viewpoints.standard(opened.level(), opened.file(), aspect).apply(0)
                 : Viewpoints.named(opened.level(), opened.file(), camera, aspect)
-                        .view(0);
+                        .apply(0);
     }
 
     double seconds() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.choice.CloudColumns;
-import nephele.engine.choice.CloudForm;
 import nephele.engine.choice.CloudSituation;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.level.Cloud;
@@ -61,7 +60,7 @@ public record TableCase(
 
     /** Returns the form of the cloud as the table names it. */
     public String form() {
-        return CloudForm.of(cloud).word();
+        return CloudSituation.form(cloud);
     }
 
     /** Returns false for a layer higher than clouds are, and for a close one whose few dense billows take hours to trace. */

@@ -91,7 +91,7 @@ final class TechniqueText {
      * @param wrong the picture of it
      * @param right the same view as it should be
      */
-    record Failure(String caption, Picture wrong, Picture right) {}
+    record Failure(String caption, PictureCommand wrong, PictureCommand right) {}
 
     /** Returns the shortcomings that the page shows. */
     List<Failure> failures() {
@@ -99,21 +99,9 @@ final class TechniqueText {
         List<String> wrong = all("wrong");
         List<String> right = all("right");
         for (int i = 0; i < all("failure").size(); i++) {
-            failures.add(new Failure(all("failure").get(i), Picture.of(wrong.get(i)), Picture.of(right.get(i))));
+            failures.add(new Failure(
+                    all("failure").get(i), PictureCommand.of(wrong.get(i)), PictureCommand.of(right.get(i))));
         }
         return failures;
-    }
-
-    /**
-     * A picture with its caption.
-     *
-     * @param caption HTML
-     */
-    record Picture(String caption, PictureCommand command) {
-        /** @param line caption, then the arguments of {@code render} after a bar */
-        static Picture of(String line) {
-            int bar = line.lastIndexOf(" | ");
-            return new Picture(line.substring(0, bar), PictureCommand.of(line.substring(bar + 3)));
-        }
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import nephele.engine.measure.Interval;
-import nephele.engine.measure.PairedBootstrap;
 import nephele.engine.measure.ParetoFront;
 
 /** The evaluated measurements of a subject. */
@@ -17,14 +16,14 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
     public static final double COST_STEP = 0.03;
 
     public static Findings of(Trade trade, SubjectState state) {
-        var bootstrap = PairedBootstrap.standard();
         int count = trade.settings().size();
         List<Interval> ratios = new ArrayList<>();
         double usualCost = trade.cost().scale()
-                * bootstrap.median(column(state, trade.usual(), Cost::cpuNanos)).estimate();
+                * Interval.ofMedian(column(state, trade.usual(), Cost::cpuNanos))
+                        .estimate();
         double[] usual = column(state, trade.usual(), Cost::cpuNanos);
         for (int i = 0; i < count; i++) {
-            ratios.add(bootstrap.ratio(usual, column(state, i, Cost::cpuNanos)));
+            ratios.add(Interval.ofRatio(usual, column(state, i, Cost::cpuNanos)));
         }
         var front = new ParetoFront(
                 IntStream.range(0, count)
@@ -39,9 +38,9 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
             settings.add(new SettingFindings(
                     trade.settings().get(i),
                     scaled(ratios.get(i), usualCost),
-                    bootstrap.median(column(state, i, Cost::wallNanos)),
+                    Interval.ofMedian(column(state, i, Cost::wallNanos)),
                     ratios.get(i),
-                    bootstrap.median(column(state, i, Cost::bytes)).estimate()
+                    Interval.ofMedian(column(state, i, Cost::bytes)).estimate()
                             / trade.cost().perRun(),
                     judged.error(),
                     judged.figures(),

@@ -16,18 +16,18 @@ public final class TradeRun {
     private static final String PARTIAL = "partial";
 
     private final TradeRequest request;
-    private final PrintStream tell;
+    private final PrintStream log;
     private final Pictures pictures;
     private final OpenedLevel opened;
-    private final TradeView seen;
+    private final TradeView viewpoint;
     private String graphics = "";
 
-    public TradeRun(TradeRequest request, PrintStream tell) {
+    public TradeRun(TradeRequest request, PrintStream log) {
         this.request = request;
-        this.tell = tell;
+        this.log = log;
         pictures = new Pictures(request.folder());
         opened = new LevelName(request.level()).open();
-        seen = TradeView.of(opened, request.camera(), request.extent().aspect());
+        viewpoint = TradeView.of(opened, request.camera(), request.extent().aspect());
     }
 
     public OpenedLevel opened() {
@@ -36,7 +36,7 @@ public final class TradeRun {
 
     /** Returns a description of the camera in words. */
     public String camera() {
-        return seen.camera();
+        return viewpoint.camera();
     }
 
     /** Returns the name of the OpenGL renderer that drew the pictures. */
@@ -59,7 +59,7 @@ public final class TradeRun {
     }
 
     private TradeSite site(Path partial) {
-        return new TradeSite(opened, seen, request.extent(), partial, tell);
+        return new TradeSite(opened, viewpoint, request.extent(), partial, log);
     }
 
     /** Returns everything besides the subject that results depend on: results under another key do not count. */
@@ -67,19 +67,19 @@ public final class TradeRun {
         String elsewhere =
                 trade.level() == null ? "" : " " + TracedPictures.levelHash(new LevelName(trade.level()).open());
         return "code " + Provenance.codeHash() + "; level " + TracedPictures.levelHash(opened) + elsewhere + "; "
-                + seen.camera() + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; "
+                + viewpoint.camera() + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; "
                 + Provenance.machine();
     }
 
     private SubjectState measured(Trade trade, TradeSite site, Path partial) throws IOException {
         var file = new SubjectFile(partial, trade, key(trade), site);
         if (file.isOfAnotherRun()) {
-            tell.println(trade.subject() + ": what lies in " + partial
+            log.println(trade.subject() + ": what lies in " + partial
                     + " was measured with other code, level, graphics or options; it is measured again");
         }
         SubjectState state = file.load();
         if (state.isComplete(trade, request.rounds()) && pictures.complete(trade, state)) {
-            tell.println(trade.subject() + ": was measured before");
+            log.println(trade.subject() + ": was measured before");
             return state;
         }
         try (var experiment = trade.experiment().apply(site)) {
@@ -94,7 +94,7 @@ public final class TradeRun {
             pictures.saveExact(trade, experiment.exact());
         }
         for (int setting = state.judged().size(); setting < trade.settings().size(); setting++) {
-            tell.println(trade.subject() + ": how wrong is "
+            log.println(trade.subject() + ": how wrong is "
                     + trade.settings().get(setting).name() + "?");
             var judgement = experiment.judge(setting);
             boolean hasPicture = judgement.shown() != null;
@@ -117,7 +117,7 @@ public final class TradeRun {
             int round = state.rounds().size();
             state = state.withRound(timing.round(round));
             file.save(state);
-            tell.println(trade.subject() + ": timed " + (round + 1) + " of " + request.rounds() + " rounds");
+            log.println(trade.subject() + ": timed " + (round + 1) + " of " + request.rounds() + " rounds");
         }
         return state;
     }

@@ -17,7 +17,6 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
-import nephele.host.named.AssetProblems;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -29,10 +28,10 @@ import nephele.lab.bake.TracedPictures;
  */
 public final class TradeSite implements AutoCloseable {
     private final OpenedLevel opened;
-    private final TradeView seen;
+    private final TradeView viewpoint;
     private final Extent extent;
     private final Path folder;
-    private final PrintStream tell;
+    private final PrintStream log;
     private GlContext gl;
 
     /**
@@ -47,12 +46,12 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for files that are kept between runs */
-    public TradeSite(OpenedLevel opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(OpenedLevel opened, TradeView viewpoint, Extent extent, Path folder, PrintStream log) {
         this.opened = opened;
-        this.seen = seen;
+        this.viewpoint = viewpoint;
         this.extent = extent;
         this.folder = folder;
-        this.tell = tell;
+        this.log = log;
     }
 
     public Level level() {
@@ -64,7 +63,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public View view() {
-        return seen.view();
+        return viewpoint.view();
     }
 
     /** Returns a site with the same context and another level, seen by the camera with the most portal pixels. */
@@ -80,11 +79,11 @@ public final class TradeSite implements AutoCloseable {
      */
     public TradeSite with(AssetSource assets) {
         var read = new LevelFile.Opened(opened.file(), opened.level(), assets, opened.notice());
-        return sharing(new OpenedLevel(read), seen);
+        return sharing(new OpenedLevel(read), viewpoint);
     }
 
     private TradeSite sharing(OpenedLevel other, TradeView view) {
-        var site = new TradeSite(other, view, extent, folder, tell);
+        var site = new TradeSite(other, view, extent, folder, log);
         site.gl = gl();
         return site;
     }
@@ -112,9 +111,9 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public Scene scene(Level level) {
-        return AssetProblems.named(opened, () -> {
+        return opened.reporting(() -> {
             var placed = opened.placed().edited(level);
-            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
+            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(log)));
         });
     }
 
@@ -125,17 +124,15 @@ public final class TradeSite implements AutoCloseable {
     public LinearPicture reference() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        var eye = TracedPictures.pinhole(seen.view());
+        var eye = TracedPictures.pinhole(viewpoint.view());
         return new TracedPictures(folder, Provenance.codeHash())
                 .picture(TracedPictures.levelHash(opened), eye, settings, () -> trace(eye, settings));
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {
-        var level = AssetProblems.named(
-                opened,
-                () -> TracedLevel.of(
-                        TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
-        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
+        var level = opened.reporting(() -> TracedLevel.of(
+                TracedExposure.fixed(opened.placed(), ColourDecoding.SRGB, eye, 0), ColourDecoding.SRGB));
+        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(log));
     }
 
     @Override

@@ -28,12 +28,12 @@ public record TradeView(View view, String camera) {
         var level = opened.level();
         if (camera != null) {
             return new TradeView(
-                    Viewpoints.named(level, opened.file(), camera, aspect).view(0), "camera " + camera);
+                    Viewpoints.named(level, opened.file(), camera, aspect).apply(0), "camera " + camera);
         }
         List<Camera> cameras = level.cameras();
         if (cameras.isEmpty()) {
             return new TradeView(
-                    Viewpoints.standard(level, opened.file(), aspect).view(0), "player's start");
+                    Viewpoints.standard(level, opened.file(), aspect).apply(0), "player's start");
         }
         var frameState = FrameState.atStart(level);
         return cameras.stream()

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 import nephele.engine.asset.MessageText;
 
 /**
- * Warnings about places of files, one for each kind: equal messages at different lines are told once, with the first
+ * Warnings about places of files, one for each kind: equal messages at different lines are reported once, with the first
  * line and their number.
  */
 final class CountedWarnings implements Consumer<String> {
@@ -34,7 +34,7 @@ final class CountedWarnings implements Consumer<String> {
     }
 
     /** Passes on a line for each kind, in the order of their first warnings; later warnings are passed on at once. */
-    void tell(Consumer<String> lines) {
+    void report(Consumer<String> lines) {
         listener = lines;
         kinds.values().forEach(kind -> lines.accept(kind.first + MessageText.times(kind.count)));
     }

@@ -46,7 +46,7 @@ public record OpenedScene(Sources sources) {
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         } finally {
-            counted.tell(complaints);
+            counted.report(complaints);
         }
     }
 

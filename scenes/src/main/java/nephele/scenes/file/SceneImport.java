@@ -71,7 +71,7 @@ public final class SceneImport {
         try {
             return save(name, target, new SceneImport(name, target, counted));
         } finally {
-            counted.tell(complaints);
+            counted.report(complaints);
         }
     }
 
@@ -118,10 +118,10 @@ public final class SceneImport {
 
     private Level level(Path target) throws IOException {
         XmlScene scene = name.read();
-        tell(scene.warnings());
+        warn(scene.warnings());
         List<Part> parts = parts(PosedScene.of(scene), LevelDraft.placeable(scene));
         LevelDraft draft = LevelDraft.of(name.stem(), scene, parts);
-        tell(draft.warnings());
+        warn(draft.warnings());
         if (draft.level().models().isEmpty()) {
             throw CommandFailure.input(name.typed() + ":" + scene.root().line() + ": none of its models can be placed");
         }
@@ -135,11 +135,11 @@ public final class SceneImport {
         return draft.level();
     }
 
-    private void tell(List<XmlWarning> warnings) {
-        warnings.forEach(warning -> tell(warning.line(), warning.message()));
+    private void warn(List<XmlWarning> warnings) {
+        warnings.forEach(warning -> warn(warning.line(), warning.message()));
     }
 
-    private void tell(int line, String message) {
+    private void warn(int line, String message) {
         complaints.accept(name.typed() + ":" + line + ": " + message);
     }
 
@@ -177,7 +177,7 @@ public final class SceneImport {
             Vec3 tint = tints.computeIfAbsent(model.texture(), texture -> meanColour(picture));
             return new Part(file, files.picture(model.texture()), tint, box(mesh));
         } catch (IllegalArgumentException tooLarge) {
-            tell(model.line(), model.file() + ": " + tooLarge.getMessage());
+            warn(model.line(), model.file() + ": " + tooLarge.getMessage());
             return null;
         }
     }

@@ -16,21 +16,32 @@ final class FixedProgram {
 
     private final GlProgram<Inputs> program;
 
-    /** @param light {@code null} without lighting */
-    record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
+    /**
+     * The uniforms.
+     *
+     * @param towardsViewer {@code null} without lighting
+     * @param lightTerms {@code null} without lighting
+     */
+    record Inputs(
+            Whole firstVisible,
+            Whole firstPlace,
+            Vector3 eye,
+            Matrix4 clipFromRelative,
+            Vector3 towardsViewer,
+            Vector4 lightTerms) {
         static Inputs of(Uniforms uniforms, Shading shading) {
+            boolean isLit = shading != Shading.WIREFRAME;
             return new Inputs(
                     uniforms.whole("firstVisible"),
                     uniforms.whole("firstPlace"),
                     uniforms.vector3("eye"),
                     uniforms.matrix4("clipFromRelative"),
-                    shading == Shading.WIREFRAME ? null : LightInputs.of(uniforms));
+                    isLit ? uniforms.vector3("towardsViewer") : null,
+                    isLit ? uniforms.vector4("lightTerms") : null);
         }
-    }
 
-    record LightInputs(Vector3 towardsViewer, Vector4 lightTerms) {
-        static LightInputs of(Uniforms uniforms) {
-            return new LightInputs(uniforms.vector3("towardsViewer"), uniforms.vector4("lightTerms"));
+        boolean isLit() {
+            return lightTerms != null;
         }
     }
 
@@ -49,10 +60,9 @@ final class FixedProgram {
         program.use();
         inputs.eye().set(eye.x(), eye.y(), eye.z());
         inputs.clipFromRelative().set(eye.clipFromRelative());
-        if (inputs.light() != null) {
-            inputs.light().towardsViewer().set(eye.backX(), eye.backY(), eye.backZ());
-            inputs.light()
-                    .lightTerms()
+        if (inputs.isLit()) {
+            inputs.towardsViewer().set(eye.backX(), eye.backY(), eye.backZ());
+            inputs.lightTerms()
                     .set(
                             look.term(LightTerm.AMBIENT),
                             look.term(LightTerm.DIFFUSE),

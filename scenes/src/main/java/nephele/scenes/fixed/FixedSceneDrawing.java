@@ -23,7 +23,6 @@ public final class FixedSceneDrawing implements AutoCloseable {
     private final SceneOnGpu entity;
     private final BackgroundDrawing background;
     private final AxesDrawing axes;
-    private final AxesCross cross;
     private final Texture white;
     private final Map<Shading, FixedProgram> programs = new EnumMap<>(Shading.class);
     private final EyeNumbers eye = new EyeNumbers();
@@ -47,7 +46,6 @@ public final class FixedSceneDrawing implements AutoCloseable {
         entity = sources.entity() == null ? null : SceneOnGpu.entity(gl, sources.entity(), white, scene);
         background = sources.background() == null ? null : new BackgroundDrawing(gl, sources.background());
         axes = new AxesDrawing(gl);
-        cross = new AxesCross(gl);
     }
 
     /** Uploads everything to the GPU. */
@@ -78,12 +76,12 @@ public final class FixedSceneDrawing implements AutoCloseable {
         if (background != null) {
             background.draw();
         }
-        if (look.axes() == SceneAppearance.Axes.SHOWN) {
+        if (look.axes()) {
             axes.draw(eye);
         }
         drawModels(look);
-        if (look.axes() == SceneAppearance.Axes.SHOWN && eye.isOnAxis()) {
-            cross.draw(eye, target);
+        if (look.axes() && eye.isOnAxis()) {
+            axes.drawCross(eye, target);
         }
     }
 
@@ -113,7 +111,6 @@ public final class FixedSceneDrawing implements AutoCloseable {
             background.close();
         }
         axes.close();
-        cross.close();
         white.close();
     }
 }

@@ -3,17 +3,15 @@ package nephele.scenes.fixed;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** The settings with which a scene is shown. */
-public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, Culling culling) {
+/**
+ * The settings with which a scene is drawn.
+ *
+ * @param axes whether lines are drawn across the picture along x in red, y in green and z in blue
+ */
+public record SceneAppearance(Shading shading, Set<LightTerm> terms, boolean axes, Culling culling) {
     /** The settings at the start of a viewer. */
     public static final SceneAppearance USUAL =
-            new SceneAppearance(Shading.GOURAUD, EnumSet.allOf(LightTerm.class), Axes.HIDDEN, Culling.SPHERES);
-
-    /** Lines across the picture along x in red, y in green and z in blue. */
-    public enum Axes {
-        HIDDEN,
-        SHOWN
-    }
+            new SceneAppearance(Shading.GOURAUD, EnumSet.allOf(LightTerm.class), false, Culling.SPHERES);
 
     /** The choice of submitted models. */
     public enum Culling {
@@ -37,9 +35,9 @@ public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, 
         return new SceneAppearance(shading, newTerms, axes, culling);
     }
 
-    /** Returns this appearance with other axes. */
-    public SceneAppearance with(Axes newAxes) {
-        return new SceneAppearance(shading, terms, newAxes, culling);
+    /** Returns this appearance with or without the axes. */
+    public SceneAppearance withAxes(boolean drawn) {
+        return new SceneAppearance(shading, terms, drawn, culling);
     }
 
     /** Returns this appearance with other culling. */

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
@@ -54,15 +55,9 @@ public final class SceneFolder implements SceneFiles {
                 .orElse(null);
     }
 
-    /** Reads a file; may fail. */
-    @FunctionalInterface
-    private interface Reading<T> {
-        T read() throws ModelFileException, AssetException;
-    }
-
-    private <T> Optional<T> found(XmlModel model, Reading<T> reading) {
+    private <T> Optional<T> found(XmlModel model, Supplier<T> read) {
         try {
-            return Optional.of(reading.read());
+            return Optional.of(read.get());
         } catch (ModelFileException | AssetException problem) {
             complaints.accept(sceneFile + ":" + model.line() + ": " + problem.getMessage());
             return Optional.empty();

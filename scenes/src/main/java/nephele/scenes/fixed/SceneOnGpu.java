@@ -13,7 +13,6 @@ import nephele.engine.math.Frustum;
 import nephele.engine.model.Mesh;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.DrawState.Blend;
-import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuMesh;
@@ -22,9 +21,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.scenes.fixed.FixedSceneDrawing.Source;
-import nephele.scenes.fixed.ModelOrder.Handedness;
 import nephele.scenes.fixed.ModelOrder.Kind;
-import nephele.scenes.fixed.ModelOrder.Motion;
 import nephele.scenes.fixed.ModelOrder.Run;
 import nephele.scenes.xml.PosedScene;
 import nephele.scenes.xml.XmlModel.Colours;
@@ -63,11 +60,12 @@ final class SceneOnGpu implements AutoCloseable {
     /** A run with its GPU resources. */
     private record Drawn(Run run, GpuMesh mesh, Texture picture) {}
 
-    private SceneOnGpu(GlContext gl, Source source, Motion least, Texture white, PosedScene around) {
+    /** @param around the scene that contains a movable entity; {@code null} for a scene that stays */
+    private SceneOnGpu(GlContext gl, Source source, Texture white, PosedScene around) {
         this.gl = gl;
         posed = PosedScene.of(source.scene());
         lights = new LightChains(gl, posed, around);
-        ModelOrder order = ModelOrder.of(posed, source.files(), least);
+        ModelOrder order = ModelOrder.of(posed, source.files(), around != null);
         staying = order.staying();
         places = new ModelPoses(gl, posed, order);
         visible = BufferTexture.changingIntegers(gl, "visible models");
@@ -87,12 +85,12 @@ final class SceneOnGpu implements AutoCloseable {
     }
 
     static SceneOnGpu atHome(GlContext gl, Source source, Texture white) {
-        return new SceneOnGpu(gl, source, Motion.STAYS, white, null);
+        return new SceneOnGpu(gl, source, white, null);
     }
 
     /** @param around the surrounding scene */
     static SceneOnGpu entity(GlContext gl, Source source, Texture white, SceneOnGpu around) {
-        return new SceneOnGpu(gl, source, Motion.MOVES, white, around.posed);
+        return new SceneOnGpu(gl, source, white, around.posed);
     }
 
     private float[] looks(ModelOrder order) {
@@ -136,7 +134,7 @@ final class SceneOnGpu implements AutoCloseable {
     void draw(FixedProgram.Inputs inputs, Frustum frustum) {
         cull(frustum);
         visible.bind(TextureUnit.SCENE_VISIBLE);
-        if (inputs.light() != null) {
+        if (inputs.isLit()) {
             lights.bind();
             looks.bind(TextureUnit.SCENE_LOOKS);
         }
@@ -168,16 +166,15 @@ final class SceneOnGpu implements AutoCloseable {
 
     private void draw(Drawn each, int number, FixedProgram.Inputs inputs) {
         Kind kind = each.run().kind();
-        if (kind.motion() == Motion.STAYS) {
-            places.bindStaying();
-            inputs.firstPlace().set(0);
-        } else {
+        if (kind.moves()) {
             places.bindMoving();
             inputs.firstPlace().set(staying);
+        } else {
+            places.bindStaying();
+            inputs.firstPlace().set(0);
         }
-        Cull cull = kind.handedness() == Handedness.MIRRORED ? Cull.FRONT : Cull.BACK;
-        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, cull);
-        if (inputs.light() != null) {
+        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, kind.culled());
+        if (inputs.isLit()) {
             each.picture().bind(TextureUnit.SCENE_PICTURE);
         }
         inputs.firstVisible().set(starts[number]);

@@ -33,12 +33,12 @@ public record Spring(double right, double ahead, double most, double idleSeconds
     record Step(Spring spring, double cameraRight, double cameraAhead) {}
 
     /** Returns the present displacement to the right, units. */
-    public double shownRight() {
+    public double currentRight() {
         return right * fraction();
     }
 
     /** Returns the present displacement along the view, units. */
-    double shownAhead() {
+    double currentAhead() {
         return ahead * fraction();
     }
 
@@ -52,21 +52,21 @@ public record Spring(double right, double ahead, double most, double idleSeconds
 
     private Step waited(double seconds) {
         var later = new Spring(right, ahead, most, idleSeconds + seconds);
-        return new Step(later, shownRight() - later.shownRight(), shownAhead() - later.shownAhead());
+        return new Step(later, currentRight() - later.currentRight(), currentAhead() - later.currentAhead());
     }
 
-    /** Moves the entity by {@code way} units; the camera moves by the same, less the change of the displacement. */
-    private Step moved(double way, Steering steering) {
-        double fromRight = shownRight();
-        double fromAhead = shownAhead();
+    /** Moves the entity by {@code units}; the camera moves by the same, less the change of the displacement. */
+    private Step moved(double units, Steering steering) {
+        double fromRight = currentRight();
+        double fromAhead = currentAhead();
         double along = fromRight * steering.right() + fromAhead * steering.ahead();
         double across = fromAhead * steering.right() - fromRight * steering.ahead();
-        double alone = Math.min(way, aloneUnits(along, across));
-        Spring later = alone == way
-                ? turned(along + way, across, steering)
-                : towed(along + alone, across, way - alone, steering);
-        double cameraRight = way * steering.right() - (later.right - fromRight);
-        double cameraAhead = way * steering.ahead() - (later.ahead - fromAhead);
+        double alone = Math.min(units, aloneUnits(along, across));
+        Spring later = alone == units
+                ? turned(along + units, across, steering)
+                : towed(along + alone, across, units - alone, steering);
+        double cameraRight = units * steering.right() - (later.right - fromRight);
+        double cameraAhead = units * steering.ahead() - (later.ahead - fromAhead);
         return new Step(later, cameraRight, cameraAhead);
     }
 
@@ -80,12 +80,12 @@ public record Spring(double right, double ahead, double most, double idleSeconds
      * Tows the end of a rope of fixed length along a straight line, a tractrix: with the angle θ between rope and line,
      * dθ/ds = −sin θ / length, so tan(θ/2) falls as exp(−s / length).
      */
-    private Spring towed(double along, double across, double way, Steering steering) {
+    private Spring towed(double along, double across, double units, Steering steering) {
         if (!(most > 0)) {
             return turned(0, 0, steering);
         }
         double length = Math.sqrt(along * along + across * across);
-        double tangent = across / (length + along) * StrictMath.exp(-way / most);
+        double tangent = across / (length + along) * StrictMath.exp(-units / most);
         double scale = most / (1 + tangent * tangent);
         return turned(scale * (1 - tangent * tangent), scale * 2 * tangent, steering);
     }

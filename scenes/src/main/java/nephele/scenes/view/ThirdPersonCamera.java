@@ -39,12 +39,12 @@ public record ThirdPersonCamera(Vec3 eye, ViewerAngles heading, Spring spring) {
 
     /** Returns the entity's origin. */
     public Vec3 entity() {
-        return along(spring.shownRight(), REST_UNITS + spring.shownAhead());
+        return along(spring.currentRight(), REST_UNITS + spring.currentAhead());
     }
 
     /** Returns the bank angle to the right, degrees. */
     public double bankDegrees() {
-        return MOST_BANK_DEGREES * spring.shownRight();
+        return MOST_BANK_DEGREES * spring.currentRight();
     }
 
     /** Returns the entity's frame: its z axis points ahead, y up and x therefore to the left. */

@@ -84,7 +84,7 @@ public final class ViewerState {
             case LOOK_DOWN -> place = place.turned(0, -DEGREES_PER_PRESS);
             case HOME -> place = home;
             case PAUSE -> paused = !paused;
-            case AXES -> toggleAxes();
+            case AXES -> look = look.withAxes(!look.axes());
             case WIREFRAME -> look = look.with(isWireframe() ? filled : Shading.WIREFRAME);
             case SHADING -> nextShading();
             case AMBIENT, DIFFUSE, SPECULAR, EMISSIVE -> toggle(key.term());
@@ -94,11 +94,6 @@ public final class ViewerState {
 
     private boolean isWireframe() {
         return look.shading() == Shading.WIREFRAME;
-    }
-
-    private void toggleAxes() {
-        boolean shown = look.axes() == SceneAppearance.Axes.SHOWN;
-        look = look.with(shown ? SceneAppearance.Axes.HIDDEN : SceneAppearance.Axes.SHOWN);
     }
 
     private void nextShading() {

@@ -70,7 +70,7 @@ final class DraftLooks {
     }
 
     /** Returns the mean ambient reflectance of all surfaces relative to their diffuse reflectance. */
-    double ambientShare() {
+    double ambientFraction() {
         return diffuse > 0 ? Math.min(1, Math.max(LEAST_AMBIENT, ambient / diffuse)) : 1;
     }
 

@@ -1,8 +1,8 @@
 package nephele.scenes.xml;
 
 import java.util.regex.Pattern;
+import nephele.engine.asset.MessageText;
 import nephele.engine.math.Vec3;
-import nephele.engine.model.NumberFormatting;
 
 /** The values of one element; an unreadable value counts as missing. */
 final class ElementValues {
@@ -65,11 +65,10 @@ final class ElementValues {
         double value = number(name, absent);
         double within = Math.min(most, Math.max(least, value));
         if (value != within) {
-            String range = NumberFormatting.of(least) + " to " + NumberFormatting.of(most);
+            String range = MessageText.number(least) + " to " + MessageText.number(most);
             warn(
                     element.attribute(name),
-                    NumberFormatting.of(value) + " is not within " + range + ": taken as "
-                            + NumberFormatting.of(within));
+                    MessageText.number(value) + " is not within " + range + ": taken as " + MessageText.number(within));
         }
         return within;
     }

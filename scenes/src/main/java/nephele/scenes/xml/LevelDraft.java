@@ -49,7 +49,7 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
         DraftPlacements placements = DraftPlacements.of(scene, parts, looks, warnings);
         DraftGround ground = DraftGround.around(boxes(posed, parts, placements), scene.eye());
         DraftLights lights = DraftLights.of(posed, ground, scene, warnings);
-        Environment environment = lights.environment(looks.ambientShare());
+        Environment environment = lights.environment(looks.ambientFraction());
         Level level = Level.of(printable(name), "an XML scene at time 0", environment, List.of(ground.camera()))
                 .with(ground.player(), new PortalGun(1.2, 2.1, PortalShape.ARCH, 500))
                 .with(

@@ -2,7 +2,6 @@ package nephele.scenes.xml;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
 /**
@@ -13,9 +12,7 @@ import org.joml.Matrix4dc;
 public final class PosedScene {
     public static final int NONE = -1;
 
-    private static final Matrix4dc WORLD = new Matrix4d();
-
-    private final List<Frame> frames = new ArrayList<>();
+    private final List<StepFrames> frames = new ArrayList<>();
     private final List<Placed<XmlModel>> models = new ArrayList<>();
     private final List<Placed<XmlLight>> lights = new ArrayList<>();
     private double seconds;
@@ -23,27 +20,20 @@ public final class PosedScene {
     /**
      * An object in a frame. @param light the first light that reaches a model; the next one of the chain for a light
      */
-    private record Placed<T>(T what, Frame frame, int light) {}
-
-    /** @param parent {@code null} for the world */
-    private record Frame(Frame parent, StepFrames steps, boolean moves, Matrix4d place) {
-        void at(double seconds) {
-            steps.at(seconds, parent == null ? WORLD : parent.place, place);
-        }
-    }
+    private record Placed<T>(T what, StepFrames frame, int light) {}
 
     /** A group in the queue, with its inherited data. */
-    private record Waiting(XmlGroup group, Frame frame, int lights) {}
+    private record Waiting(XmlGroup group, StepFrames frame, int lights) {}
 
     private PosedScene(XmlScene scene) {
-        Frame world = new Frame(null, new StepFrames(List.of()), false, new Matrix4d());
+        StepFrames world = new StepFrames(null, List.of());
         int lit = addLights(scene.lights(), world, NONE);
         List<Waiting> waiting = new ArrayList<>();
         waiting.add(new Waiting(scene.root(), world, lit));
         while (!waiting.isEmpty()) {
             Waiting next = waiting.remove(waiting.size() - 1);
             XmlGroup group = next.group;
-            Frame frame = group.steps().isEmpty() ? next.frame : frame(next.frame, group);
+            StepFrames frame = group.steps().isEmpty() ? next.frame : frame(next.frame, group);
             int chain = addLights(group.lights(), frame, next.lights);
             group.models().forEach(model -> models.add(new Placed<>(model, frame, chain)));
             for (int i = group.groups().size() - 1; i >= 0; i--) {
@@ -59,14 +49,13 @@ public final class PosedScene {
         return posed;
     }
 
-    private Frame frame(Frame parent, XmlGroup group) {
-        StepFrames steps = new StepFrames(group.steps());
-        Frame frame = new Frame(parent, steps, parent.moves || steps.moves(), new Matrix4d());
+    private StepFrames frame(StepFrames parent, XmlGroup group) {
+        StepFrames frame = new StepFrames(parent, group.steps());
         frames.add(frame);
         return frame;
     }
 
-    private int addLights(List<XmlLight> added, Frame frame, int last) {
+    private int addLights(List<XmlLight> added, StepFrames frame, int last) {
         int before = last;
         for (XmlLight light : added) {
             lights.add(new Placed<>(light, frame, before));
@@ -86,7 +75,7 @@ public final class PosedScene {
         seconds = newSeconds;
         // Parents precede their content.
         for (int i = 0; i < frames.size(); i++) {
-            if (frames.get(i).moves) {
+            if (frames.get(i).moves()) {
                 frames.get(i).at(seconds);
             }
         }
@@ -104,12 +93,12 @@ public final class PosedScene {
 
     /** Returns true if the model's pose may change with time. */
     public boolean moves(int model) {
-        return models.get(model).frame.moves;
+        return models.get(model).frame.moves();
     }
 
     /** Returns the pose of the last {@link #at}: the same object with a new value. Not finite if the steps overflow. */
     public Matrix4dc worldFromModel(int model) {
-        return models.get(model).frame.place;
+        return models.get(model).frame.worldFromGroup();
     }
 
     /** Returns the first light of the chain of those that reach a model, or {@link #NONE}. */
@@ -127,7 +116,7 @@ public final class PosedScene {
 
     /** Returns the frame of {@link #light}; behaves as {@link #worldFromModel}. */
     public Matrix4dc worldFromLight(int light) {
-        return lights.get(light).frame.place;
+        return lights.get(light).frame.worldFromGroup();
     }
 
     /** Returns the next light of a chain, or {@link #NONE}. */

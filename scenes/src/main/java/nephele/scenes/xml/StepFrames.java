@@ -7,15 +7,22 @@ import nephele.scenes.xml.XmlGroup.Step;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** Computes the frame of one group's steps at a time. */
+/** The frame of a group: its steps at a time, within the frame around it. */
 final class StepFrames {
     private final List<Step> steps;
     private final CurveFrame[] curves;
     private final Vec3[] axes;
+    private final StepFrames parent;
+    private final boolean moves;
+    private final Matrix4d worldFromGroup = new Matrix4d();
     private final Matrix4d part = new Matrix4d();
 
-    StepFrames(List<Step> steps) {
+    /** @param parent {@code null} for the world */
+    StepFrames(StepFrames parent, List<Step> steps) {
+        this.parent = parent;
         this.steps = steps;
+        moves = parent != null && parent.moves
+                || steps.stream().anyMatch(step -> step instanceof Step.Follow || step instanceof Step.Spin);
         curves = new CurveFrame[steps.size()];
         axes = new Vec3[steps.size()];
         for (int i = 0; i < curves.length; i++) {
@@ -27,13 +34,24 @@ final class StepFrames {
         }
     }
 
+    /** Returns true if the frame may change with time. */
     boolean moves() {
-        return steps.stream().anyMatch(step -> step instanceof Step.Follow || step instanceof Step.Spin);
+        return moves;
     }
 
-    /** Sets the frame within {@code parent}; the first step is the outermost. */
-    void at(double seconds, Matrix4dc parent, Matrix4d frame) {
-        frame.set(parent);
+    /** Returns the frame at the time of the last {@link #at}: always the same object. */
+    Matrix4dc worldFromGroup() {
+        return worldFromGroup;
+    }
+
+    /** Computes the frame, after its parent's; the first step is the outermost. */
+    void at(double seconds) {
+        Matrix4d frame = worldFromGroup;
+        if (parent == null) {
+            frame.identity();
+        } else {
+            frame.set(parent.worldFromGroup);
+        }
         for (int i = 0; i < curves.length; i++) {
             Step step = steps.get(i);
             if (step instanceof Step.Translate translate) {

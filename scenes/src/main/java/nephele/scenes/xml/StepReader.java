@@ -24,15 +24,15 @@ final class StepReader {
 
     List<Step> of(XmlElement group) {
         List<Step> steps = new ArrayList<>(3);
-        Set<String> seen = new HashSet<>();
+        Set<String> found = new HashSet<>();
         for (XmlElement child : group.children()) {
             if (child.is("transform")) {
-                if (!seen.add(child.name())) {
+                if (!found.add(child.name())) {
                     new ElementValues(child, warnings).warn("a group has one: this one goes on where that ended");
                 }
                 child.children().forEach(step -> read(step).ifPresent(steps::add));
             } else if (isStep(child)) {
-                if (seen.add(child.name())) {
+                if (found.add(child.name())) {
                     read(child).ifPresent(steps::add);
                 } else {
                     new ElementValues(child, warnings).warn("a group has at most one: the first counts");

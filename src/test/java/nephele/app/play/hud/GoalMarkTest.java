@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.render.pass.overlay.DrawnBounds;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import org.junit.jupiter.api.Test;
 
@@ -30,7 +30,7 @@ class GoalMarkTest {
 
     @Test
     void everyMarkIsInsideThePicture() {
-        var canvas = new OverlayCanvas(new Lettering());
+        var canvas = new OverlayCanvas(new FontAtlas());
         for (Area area : new Area[] {new Area(640, 360), AREA, new Area(2560, 1080)}) {
             for (int i = 0; i < 64; i++) {
                 double right = (i % 8 - 3.5) * area.width() / 3;

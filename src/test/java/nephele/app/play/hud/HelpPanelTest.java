@@ -7,7 +7,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import org.junit.jupiter.api.Test;
 
@@ -26,7 +26,7 @@ final class HelpPanelTest {
 
     @Test
     void keysFitIntoTheirColumnAndMeaningsIntoThePage() {
-        var canvas = new OverlayCanvas(new Lettering());
+        var canvas = new OverlayCanvas(new FontAtlas());
         for (var device : Input.Device.values()) {
             for (var language : Language.values()) {
                 var shown = new HudContent.Keys(KeyBindings.usual(), device, language);

@@ -9,7 +9,7 @@ import java.util.List;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.Settings;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import org.junit.jupiter.api.Test;
 
@@ -19,7 +19,7 @@ class MenuTest {
         for (int i = 0; i < entries; i++) {
             all.add(new Entry("entry " + i, "value", new Choice.Step(Settings.FIELD_OF_VIEW, 1)));
         }
-        all.add(new Entry("quit", new Choice.Quit()));
+        all.add(new Entry("quit", Choice.Plain.QUIT));
         return new Menu("m", "Menu", List.of("a line"), all, 0, 0, null, "foot");
     }
 
@@ -63,17 +63,19 @@ class MenuTest {
     /** A message in the foot is whole, or ends in dots, and stays above the panel's lower edge. */
     @Test
     void aLongMessageStaysInsideThePanel() {
-        var canvas = new OverlayCanvas(new Lettering());
+        var canvas = new OverlayCanvas(new FontAtlas());
         String path = "/home/somebody/" + "a-folder-with-a-name/".repeat(3) + "room.json";
         String problem = "materials[1].texture: there is no such file; put it into the level's folder. ";
         double before = 99;
         for (int times : new int[] {1, 2, 9}) {
-            var foot = MenuPanel.Foot.of(canvas, path + ": " + problem.repeat(times));
-            assertTrue(foot.firstBaseline() + (foot.lines().size() - 1) * foot.em() * 1.27 < 66, times + ": " + foot);
+            var foot = MenuPanel.foot(canvas, path + ": " + problem.repeat(times));
+            assertTrue(
+                    MenuPanel.firstBaseline(foot) + (foot.lines().size() - 1) * foot.em() * 1.27 < 66,
+                    times + ": " + foot);
             assertTrue(foot.em() <= before && foot.em() >= 10, times + ": " + foot);
             assertEquals(times == 9, foot.lines().get(foot.lines().size() - 1).endsWith(" …"), times + ": " + foot);
             before = foot.em();
         }
-        assertEquals(List.of("Esc back"), MenuPanel.Foot.of(canvas, "Esc back").lines());
+        assertEquals(List.of("Esc back"), MenuPanel.foot(canvas, "Esc back").lines());
     }
 }

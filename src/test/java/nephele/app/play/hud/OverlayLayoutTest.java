@@ -15,13 +15,12 @@ import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.DrawnBounds;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.scene.ShotPalette;
 import nephele.host.compare.Wipe;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.parallel.Execution;
@@ -38,7 +37,7 @@ class OverlayLayoutTest {
 
     private static final double ROUNDING = 1e-6;
 
-    private final Hud hud = new Hud(new Lettering());
+    private final Hud hud = new Hud(new FontAtlas());
     private int seen;
 
     @Execution(ExecutionMode.SAME_THREAD) // the overlay is one
@@ -166,7 +165,7 @@ class OverlayLayoutTest {
     }
 
     private static Half half() {
-        return new Half(Portal.NONE, Shot.REFUSED, 0);
+        return new Half(false, Shot.REFUSED, 0);
     }
 
     private static List<Figure> figures(int count) {

@@ -8,9 +8,9 @@ import java.util.List;
 import nephele.editor.action.ScriptedSession;
 import nephele.editor.problem.LevelProblem;
 import nephele.editor.problem.ProblemSearch;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 @Execution(ExecutionMode.CONCURRENT)
 class AddedPartsTest {
     private static final AssetSource ASSETS = LevelAssets.beside(Path.of("levels", "untitled.json"));
-    private static final InspectorModel MODEL = new InspectorModel(LevelStructure.LEVEL);
+    private static final InspectorModel MODEL = new InspectorModel(Entities.LEVEL);
 
     private static List<String> errors(Level level) {
         return ProblemSearch.of(level, ASSETS).stream()
@@ -34,7 +34,7 @@ class AddedPartsTest {
     }
 
     @ParameterizedTest
-    @MethodSource("nephele.editor.record.PrototypesTest#everyKind")
+    @MethodSource("nephele.editor.added.AddedRecordTest#everyKind")
     void aNewEntityMakesNoErrorsAndNeitherDoItsParts(String kind) {
         ScriptedSession session = ScriptedSession.empty().run("brush box min=-9,-1,-9 max=9,0,9");
         if (kind.startsWith("portals.")) {

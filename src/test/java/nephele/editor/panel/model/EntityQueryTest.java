@@ -4,10 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Set;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordKind;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
@@ -23,18 +22,18 @@ class EntityQueryTest {
     private static final EntityRef LAMP = new EntityRef("lights", "lamp");
     private static final Record BOX = new Solid.Box(
             "north-wall", "brick", true, TextureMapping.WORLD, Vec3.ZERO, new Vec3(1, 5, 1), java.util.Map.of());
-    private static final Record LIGHT = Prototypes.make(RecordKind.of(Light.Point.class), "lamp", new Vec3(1, 2, 3));
+    private static final Record LIGHT = AddedRecord.at(RecordKind.of(Light.Point.class), "lamp", new Vec3(1, 2, 3));
     private static final EntityStatus STATUS =
             new EntityStatus(List.of(), Set.of("solids/north-wall"), Set.of("lights/lamp"));
 
     private static String matches(String text) {
-        EntityQuery query = EntityQuery.parse(text, LevelStructure.LEVEL);
+        EntityQuery query = EntityQuery.parse(text, Entities.LEVEL);
         assertEquals(List.of(), query.errors(), text);
         return (query.matches(WALL, BOX, STATUS) ? "wall " : "") + (query.matches(LAMP, LIGHT, STATUS) ? "lamp" : "");
     }
 
     private static String error(String text) {
-        return EntityQuery.parse(text, LevelStructure.LEVEL).errors().get(0).english();
+        return EntityQuery.parse(text, Entities.LEVEL).errors().get(0).english();
     }
 
     @Test
@@ -83,15 +82,13 @@ class EntityQueryTest {
 
     @Test
     void anEntityIsFoundByItsRecordAlone() {
-        LevelStructure structure = LevelStructure.of(BeaconLevel.class);
+        Entities entities = Entities.of(BeaconLevel.class);
         Record root = BeaconLevel.of(BeaconLevel.beacon("slow", 4, "brick"), BeaconLevel.beacon("quick", 1, null));
-        EntityQuery query = EntityQuery.parse("periodSeconds>2 material:brick type:beacon", structure);
+        EntityQuery query = EntityQuery.parse("periodSeconds>2 material:brick type:beacon", entities);
         assertEquals(List.of(), query.errors());
-        List<EntityRef> found = new Entities(structure)
-                .all(root).stream()
-                        .filter(ref -> query.matches(
-                                ref, new Entities(structure).find(root, ref).orElseThrow(), EntityStatus.NONE))
-                        .toList();
+        List<EntityRef> found = entities.all(root).stream()
+                .filter(ref -> query.matches(ref, entities.find(root, ref).orElseThrow(), EntityStatus.NONE))
+                .toList();
         assertEquals(List.of(new EntityRef("beacons", "slow")), found);
     }
 }

@@ -8,9 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.engine.level.Material;
 import nephele.engine.math.Vec3;
@@ -26,7 +26,7 @@ class InspectorModelTest {
     private static final BeaconLevel LEVEL =
             BeaconLevel.of(BeaconLevel.beacon("slow", 4, "brick"), BeaconLevel.beacon("quick", 1, "brick"));
 
-    private final InspectorModel model = new InspectorModel(LevelStructure.of(BeaconLevel.class));
+    private final InspectorModel model = new InspectorModel(Entities.of(BeaconLevel.class));
 
     private InspectorField field(Record root, String name, EntityRef... refs) {
         return model.fields(root, List.of(refs)).stream()

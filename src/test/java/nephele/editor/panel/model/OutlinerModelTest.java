@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.util.List;
 import java.util.Set;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.text.EntityWords;
 import nephele.engine.level.EditorNotes;
 import org.junit.jupiter.api.Test;
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 
 @Execution(ExecutionMode.CONCURRENT)
 class OutlinerModelTest {
-    private static final LevelStructure STRUCTURE = LevelStructure.of(BeaconLevel.class);
+    private static final Entities STRUCTURE = Entities.of(BeaconLevel.class);
     private static final BeaconLevel LEVEL =
             BeaconLevel.of(BeaconLevel.beacon("slow", 4, "brick"), BeaconLevel.beacon("quick", 1, null));
 
@@ -40,10 +40,10 @@ class OutlinerModelTest {
     }
 
     @Test
-    void aFoldedSectionIsOneLineUntilAnEntityIsRevealed() {
+    void aFoldedSectionIsOneLine() {
         model.toggleFold("beacons");
         assertEquals(List.of("materials", "materials/brick", "beacons"), keys(EntityStatus.NONE, ""));
-        model.reveal(new EntityRef("beacons", "slow"));
+        model.toggleFold("beacons");
         assertEquals(5, keys(EntityStatus.NONE, "").size());
     }
 
@@ -75,14 +75,14 @@ class OutlinerModelTest {
     @Test
     void thePaletteHasEveryKind() {
         assertEquals(
-                List.of(new PaletteModel.Entry("materials", "material"), new PaletteModel.Entry("beacons", "beacon")),
-                PaletteModel.entries(STRUCTURE));
-        var kinds = PaletteModel.entries(LevelStructure.LEVEL);
-        assertEquals(true, kinds.contains(new PaletteModel.Entry("lights", "spot")));
-        assertEquals(true, kinds.contains(new PaletteModel.Entry("player", "playerstart")), kinds.toString());
+                List.of(new PaletteEntry("materials", "material"), new PaletteEntry("beacons", "beacon")),
+                PaletteEntry.all(STRUCTURE));
+        var kinds = PaletteEntry.all(Entities.LEVEL);
+        assertEquals(true, kinds.contains(new PaletteEntry("lights", "spot")));
+        assertEquals(true, kinds.contains(new PaletteEntry("player", "playerstart")), kinds.toString());
         assertEquals("Spot light", EntityWords.ofKind("lights", "spot").english());
         assertEquals("Beacon", EntityWords.ofKind("beacons", "beacon").english());
-        List<String> game = PaletteModel.entries(LevelStructure.LEVEL, EntityWords.Group.PLAY).stream()
+        List<String> game = PaletteEntry.below(Entities.LEVEL, EntityWords.Group.PLAY).stream()
                 .map(entry -> entry.words().english())
                 .toList();
         assertEquals(
@@ -99,7 +99,7 @@ class OutlinerModelTest {
                         "Landmark",
                         "Hint"),
                 game);
-        for (PaletteModel.Entry kind : kinds) {
+        for (PaletteEntry kind : kinds) {
             assertEquals(false, kind.group() == EntityWords.Group.OTHER, kind + " has no heading");
         }
     }

@@ -26,8 +26,7 @@ class TornJournalTest {
     }
 
     private static JournalRecord.Edit edit(int edits) {
-        JournalRecord.TextDelta delta = JournalRecord.TextDelta.between(text(edits - 1), text(edits));
-        return new JournalRecord.Edit(NOW, edits, "move", delta);
+        return JournalRecord.Edit.of(NOW, edits, "move", text(edits - 1), text(edits));
     }
 
     private static byte[] log(int edits) {
@@ -42,7 +41,7 @@ class TornJournalTest {
     }
 
     private static RecoverableWork work(byte[] log) {
-        return JournalReplay.work(new StoredJournal(Path.of("j")), log, Optional.empty())
+        return JournalLog.work(new StoredJournal(Path.of("j")), log, Optional.empty())
                 .orElseThrow();
     }
 
@@ -81,8 +80,7 @@ class TornJournalTest {
         byte[] one = log(1);
         int base = one.length - JournalFormat.framed(edit(1)).length;
         for (int length = 0; length < base; length++) {
-            var work =
-                    JournalReplay.work(new StoredJournal(Path.of("j")), Arrays.copyOf(one, length), Optional.empty());
+            var work = JournalLog.work(new StoredJournal(Path.of("j")), Arrays.copyOf(one, length), Optional.empty());
             assertTrue(work.isEmpty(), "cut at " + length);
         }
         assertEquals(0, work(Arrays.copyOf(one, base)).edits());
@@ -94,10 +92,10 @@ class TornJournalTest {
         for (String old : texts) {
             for (String now : texts) {
                 byte[] before = old.getBytes(StandardCharsets.UTF_8);
-                JournalRecord.TextDelta delta =
-                        JournalRecord.TextDelta.between(before, now.getBytes(StandardCharsets.UTF_8));
-                assertTrue(delta.fits(before), old + " to " + now);
-                assertEquals(now, new String(delta.applied(before), StandardCharsets.UTF_8), old + " to " + now);
+                JournalRecord.Edit edit =
+                        JournalRecord.Edit.of(NOW, 1, "", before, now.getBytes(StandardCharsets.UTF_8));
+                assertTrue(edit.fits(before), old + " to " + now);
+                assertEquals(now, new String(edit.applied(before), StandardCharsets.UTF_8), old + " to " + now);
             }
         }
     }

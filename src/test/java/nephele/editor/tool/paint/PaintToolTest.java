@@ -71,7 +71,7 @@ class PaintToolTest {
         ToolTrial trial = hall();
         Level before = trial.level();
         trial.click(FLOOR);
-        assertEquals(Map.of("+y", new Solid.Face("brick", null, null)), SolidFaces.said(solid(trial, 0)));
+        assertEquals(Map.of("+y", new Solid.Face("brick", null, null)), SolidFaces.authored(solid(trial, 0)));
         trial.assertOneSoundStep(before);
         Level painted = trial.level();
         trial.click(FLOOR);
@@ -97,7 +97,7 @@ class PaintToolTest {
         Level before = trial.level();
         trial.click(FLOOR, Modifier.SHIFT);
         assertEquals("brick", solid(trial, 0).material());
-        assertEquals(Map.of(), SolidFaces.said(solid(trial, 0)));
+        assertEquals(Map.of(), SolidFaces.authored(solid(trial, 0)));
         trial.assertOneSoundStep(before);
         trial.options().material(null);
         trial.click(FLOOR);

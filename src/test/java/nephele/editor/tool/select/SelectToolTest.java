@@ -12,7 +12,6 @@ import nephele.editor.pane.PlanCamera;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.Tools;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.editor.tool.Tool;
 import nephele.engine.level.Level;
@@ -37,8 +36,7 @@ class SelectToolTest {
 
     private static Pointer at(double xMetres, double zMetres, Modifier... held) {
         PlanCamera camera = new PlanCamera(PaneKind.TOP, Vec3.ZERO, 0.01);
-        return new Pointer(
-                PaneKind.TOP, camera, SIZE, 400 + 100 * xMetres, 300 + 100 * zMetres, Button.PRIMARY, Set.of(held), 1);
+        return new Pointer(PaneKind.TOP, camera, SIZE, 400 + 100 * xMetres, 300 + 100 * zMetres, Set.of(held), 1);
     }
 
     private void drag(Pointer from, Pointer... to) {

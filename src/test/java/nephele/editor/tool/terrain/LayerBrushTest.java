@@ -24,7 +24,6 @@ import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,7 +57,7 @@ class LayerBrushTest {
     }
 
     private LayerMap map() {
-        return session.assets().decoded(file(), LayerMap.class, LayerMapFile::read);
+        return session.assets().decoded(file(), LayerMap.class, LayerMap::read);
     }
 
     @Test

@@ -6,7 +6,6 @@ import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.session.EditorSession;
 import nephele.editor.tool.Pointer;
-import nephele.editor.tool.Pointer.Button;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.math.Vec3;
 
@@ -19,7 +18,6 @@ record PlanHand(EditorSession session) {
                 new PaneSize(800, 600),
                 400 + 10 * x,
                 300 + 10 * z,
-                Button.PRIMARY,
                 Set.of(held),
                 1);
     }

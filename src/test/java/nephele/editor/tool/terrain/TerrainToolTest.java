@@ -26,7 +26,6 @@ import nephele.editor.terrain.TerrainText;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.tool.Pointer.Modifier;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.BeforeEach;
@@ -137,8 +136,8 @@ class TerrainToolTest {
         session.saved(session.file().asOfNow());
         stroke(6, 10);
         assertEquals(3, level.painted().size());
-        short[] second = HeightMapFile.read(kept, Files.readAllBytes(folder.resolve(kept)))
-                .values();
+        short[] second =
+                HeightMap.read(kept, Files.readAllBytes(folder.resolve(kept))).values();
         session.maps().discard();
         assertEquals(Set.of(kept), level.painted().keySet());
         assertArrayEquals(second, PaintedLevel.map(level.open()).values());
@@ -147,9 +146,9 @@ class TerrainToolTest {
     @Test
     void aPreviewIsNeverAFile() {
         session.drag().press(at(0, 0));
-        HeightMap shown = PaintedLevel.map(session);
+        HeightMap visible = PaintedLevel.map(session);
         byte[] asked = session.assets().bytes(map());
-        assertArrayEquals(shown.values(), HeightMapFile.read(map(), asked).values());
+        assertArrayEquals(visible.values(), HeightMap.read(map(), asked).values());
         assertTrue(session.assets().exists(map()));
         session.drag().cancel();
     }

@@ -27,8 +27,7 @@ class AssetFamilyTest {
         for (String name : "a.3d b.obj c.gltf d.glb e.vol f.png g.jpg h.jpeg i.tga j.bmp k.r16 l.txt".split(" ")) {
             Files.write(folder.resolve(name), new byte[0]);
         }
-        List<String> found =
-                AssetDialog.of(LevelAssets.beside(folder.resolve("level.json")), AssetFamily.of(component, current));
+        List<String> found = AssetFamily.of(component, current).ids(LevelAssets.beside(folder.resolve("level.json")));
         assertEquals(
                 List.of(offered.split(" ")),
                 found.stream().filter(id -> !id.contains("/")).toList());

@@ -19,7 +19,7 @@ import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.ScriptInterface;
 import nephele.editor.document.Selection;
-import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
@@ -32,7 +32,6 @@ import nephele.editor.widget.AssetPictures;
 import nephele.editor.window.WindowLook;
 import nephele.engine.level.Language;
 import nephele.workshop.prove.editor.PaintedPanel;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -73,7 +72,10 @@ class DialogsSwingTest {
     }
 
     private FormPanel form(String part) {
-        ActionForm form = ActionForms.named(part);
+        ActionForm form = ActionForm.ALL.stream()
+                .filter(each -> each.part().equals(part))
+                .findFirst()
+                .orElseThrow();
         return new FormPanel(form, session, values -> run(form.action(), values), () -> closed++);
     }
 
@@ -89,10 +91,10 @@ class DialogsSwingTest {
         session = session(PaintedPanel.settings(theme, percent, language));
         String look = "-" + theme + "-" + percent + "-" + language;
         List<String> cut = new ArrayList<>();
-        for (ActionForm form : ActionForms.ALL) {
+        for (ActionForm form : ActionForm.ALL) {
             cut.addAll(new PaintedPanel(form(form.part()))
                     .write(form.part() + look)
-                    .clipped(UserTexts.of(session)));
+                    .clipped(session));
         }
         assertEquals(List.of(), cut);
         new PaintedPanel(palette(new ArrayList<>())).write("palette" + look);
@@ -132,8 +134,8 @@ class DialogsSwingTest {
 
     @Test
     void escGivesUp() {
-        List<Optional<PaletteModel.Entry>> ended = new ArrayList<>();
-        SearchList<PaletteModel.Entry> kinds = Searches.kinds(Language.PT_PT, ended::add);
+        List<Optional<PaletteEntry>> ended = new ArrayList<>();
+        SearchList<PaletteEntry> kinds = Searches.kinds(Language.PT_PT, ended::add);
         press(kinds, KeyEvent.VK_ESCAPE);
         kinds.query().setText("nuvem");
         press(kinds, KeyEvent.VK_ENTER);
@@ -188,20 +190,20 @@ class DialogsSwingTest {
 
     @Test
     void everyFormRunsAsItIsShown() {
-        for (ActionForm form : ActionForms.ALL) {
+        for (ActionForm form : ActionForm.ALL) {
             if (!form.part().equals("set")) {
                 form(form.part()).acceptButton().doClick();
             }
         }
-        assertEquals(ActionForms.ALL.size() - 1, closed);
+        assertEquals(ActionForm.ALL.size() - 1, closed);
     }
 
     @Test
     void assetsAreThoseOfTheFamilyThatTheLevelCanName() {
-        List<String> pictures = AssetDialog.of(session.assets(), AssetFamily.of("texture", ""));
+        List<String> pictures = AssetFamily.of("texture", "").ids(session.assets());
         assertTrue(pictures.stream().anyMatch(id -> id.startsWith("textures/")), pictures.toString());
         assertTrue(pictures.stream().allMatch(id -> session.assets().exists(id)));
-        List<String> models = AssetDialog.of(session.assets(), AssetFamily.of("file", "models/any.obj"));
+        List<String> models = AssetFamily.of("file", "models/any.obj").ids(session.assets());
         assertTrue(models.stream().allMatch(id -> AssetFamily.of(id) == AssetFamily.MODEL));
         assertFalse(models.isEmpty());
     }

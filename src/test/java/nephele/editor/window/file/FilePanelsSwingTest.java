@@ -50,7 +50,6 @@ import nephele.engine.level.appearance.SolidFaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.workshop.prove.editor.CutTexts;
-import nephele.workshop.prove.editor.UserTexts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
@@ -106,10 +105,7 @@ class FilePanelsSwingTest {
 
     private RecoveryPanel recovery(RecoveryList lost, Language language) {
         return new RecoveryPanel(
-                lost,
-                language,
-                new RecoveryPanel.Answers(
-                        question -> asked.add(question.english()) && isAgreed, () -> true, () -> isDone = true));
+                lost, language, question -> asked.add(question.english()) && isAgreed, () -> true, () -> isDone = true);
     }
 
     private static void look(Theme theme, int percent) {
@@ -148,15 +144,15 @@ class FilePanelsSwingTest {
         RecoveryList lost = new RecoveryList(journal, journal.lost(), NOW, ZoneOffset.UTC);
         RecoveryPanel panel = recovery(lost, language);
         BufferedImage picture = painted(panel, "recovery-" + theme + "-" + percent + "-" + language);
-        JLabel shown = named(panel, "picture", JLabel.class);
-        Point middle = new Point(shown.getWidth() / 2, shown.getHeight() / 2);
-        Point at = javax.swing.SwingUtilities.convertPoint(shown, middle, panel);
+        JLabel label = named(panel, "picture", JLabel.class);
+        Point middle = new Point(label.getWidth() / 2, label.getHeight() / 2);
+        Point at = javax.swing.SwingUtilities.convertPoint(label, middle, panel);
         assertEquals(0xc04020, picture.getRGB(at.x, at.y) & 0xffffff, "the picture of the newest is shown");
-        assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
-        assertTrue(shown.getAccessibleContext().getAccessibleName().contains("a room.json"));
+        assertEquals(List.of(), CutTexts.in(panel));
+        assertTrue(label.getAccessibleContext().getAccessibleName().contains("a room.json"));
         ((JList<?>) panel.rows()).setSelectedIndex(1);
         painted(panel, "recovery-plan-" + theme + "-" + percent + "-" + language);
-        assertTrue(shown.getIcon() != null, "a plan where there is no picture");
+        assertTrue(label.getIcon() != null, "a plan where there is no picture");
         journal.close();
     }
 
@@ -212,11 +208,9 @@ class FilePanelsSwingTest {
         session.fileServices().saver().saveAs(file, DraftLevel.after(1));
         BackupList backups = new BackupList(session, Instant.now(), ZoneOffset.UTC);
         BackupsPanel panel = new BackupsPanel(
-                backups,
-                language,
-                new BackupsPanel.Answers(() -> true, words -> asked.add(words.english()), () -> isDone = true));
+                backups, language, () -> true, words -> asked.add(words.english()), () -> isDone = true);
         painted(panel, "backups-" + theme + "-" + percent + "-" + language);
-        assertEquals(List.of(), CutTexts.in(panel, UserTexts.PATHS));
+        assertEquals(List.of(), CutTexts.in(panel));
         session.document().edit(Words.same("x"), before -> DraftLevel.after(3));
         press(panel.rows(), "ENTER");
         assertTrue(isDone);
@@ -230,7 +224,7 @@ class FilePanelsSwingTest {
 
     /** Looks down on the floor of the level from 5 m above it. */
     private static ViewportPanel viewport(EditorSession session) {
-        ViewportPanel viewport = new ViewportPanel(session, new ViewportPanel.Told(at -> {}, line -> {}));
+        ViewportPanel viewport = new ViewportPanel(session, at -> {}, line -> {});
         viewport.setSize(400, 300);
         layOut(viewport);
         viewport.picture();
@@ -260,7 +254,7 @@ class FilePanelsSwingTest {
         }
         assertEquals(
                 "seen",
-                SolidFaces.said(session.document().level().solids().get(0), "+y")
+                SolidFaces.authored(session.document().level().solids().get(0), "+y")
                         .material());
         assertEquals(1, refused.size());
         assertEquals(2, refused.get(0).english().lines().count());
@@ -277,7 +271,7 @@ class FilePanelsSwingTest {
             assertTrue((before >> 16 & 255) > (before & 255) + 50, Integer.toHexString(before));
             Path asset = folder.resolve("levels").resolve("textures").resolve("seen.png");
             Files.copy(picture(0x2020d0), asset, StandardCopyOption.REPLACE_EXISTING);
-            new OutsideChanges(session, null).changed(Set.of(asset));
+            new OutsideChanges(session, question -> true, message -> {}).changed(Set.of(asset));
             int after = viewport.picture().getRGB(210, 160);
             assertTrue((after & 255) > (after >> 16 & 255) + 50, Integer.toHexString(after));
         }
@@ -299,9 +293,9 @@ class FilePanelsSwingTest {
             session.document().cancelDrag();
             pictures.take();
         }
-        BufferedImage shown = ImageIO.read(new java.io.ByteArrayInputStream(kept.get(0)));
-        assertTrue(shown.getWidth() <= 320 && shown.getHeight() == 200, shown.toString());
-        int middle = shown.getRGB(shown.getWidth() / 2 + 5, 105);
+        BufferedImage picture = ImageIO.read(new java.io.ByteArrayInputStream(kept.get(0)));
+        assertTrue(picture.getWidth() <= 320 && picture.getHeight() == 200, picture.toString());
+        int middle = picture.getRGB(picture.getWidth() / 2 + 5, 105);
         assertTrue((middle >> 16 & 255) > (middle & 255) + 50, Integer.toHexString(middle));
     }
 }

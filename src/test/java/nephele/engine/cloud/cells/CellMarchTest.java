@@ -25,8 +25,9 @@ class CellMarchTest {
     private static final CloudLight WHITE = new CloudLight(CloudOptics.of(1, 0.85));
 
     private static CellStack stack(ExtinctionField field, CellBox cells, CloudLight physics, Vec3 towardsSun) {
-        DensityCells density = DensityCells.of(field, cells, DensityCells.Sampling.PLAIN);
-        LightCells light = LightCells.of(List.of(density), false, physics, LightCells.Around.sun(towardsSun));
+        DensityCells density = DensityCells.of(field, cells);
+        LightCells light = LightCells.of(
+                List.of(density), false, physics, new LightCells.Around(towardsSun, List.of(), LightCells.DIVISOR));
         return CellStack.finite(density, light, physics);
     }
 

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.MajorantWalk;
-import nephele.engine.cloud.cells.DensityCells.Sampling;
 import nephele.engine.cloud.field.EllipsoidField;
 import nephele.engine.cloud.light.CloudLight;
 import nephele.engine.cloud.light.CloudOptics;
@@ -23,7 +22,7 @@ class ShadingCloudsTest {
 
     private static DensityCells ball(Vec3 centre, double radius, int cells) {
         Aabb box = Aabb.around(centre, new Vec3(2 * radius, 2 * radius, 2 * radius));
-        return DensityCells.of(new EllipsoidField(box, 0.5), CellBox.of(box, cells), Sampling.PLAIN);
+        return DensityCells.of(new EllipsoidField(box, 0.5), CellBox.of(box, cells));
     }
 
     private static ShadingClouds.Cast cast(DensityCells cells) {
@@ -115,7 +114,7 @@ class ShadingCloudsTest {
         LayerGrid grid = LayerGrid.ofCloud(1000, 1400, 62.5, 20, 3);
         List<DensityCells> density = new ArrayList<>();
         for (int level = 0; level < 3; level++) {
-            density.add(DensityCells.of(new Waves(), grid.box(level, new LayerGrid.Column(0, 0)), Sampling.PLAIN));
+            density.add(DensityCells.of(new Waves(), grid.box(level, new LayerGrid.Column(0, 0))));
         }
         var depths = new StackDepths(density, true);
         var crossing = new ShadingCloud.LayerCrossing(density, depths, LIGHT);

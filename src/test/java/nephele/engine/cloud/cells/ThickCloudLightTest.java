@@ -28,8 +28,9 @@ class ThickCloudLightTest {
         var field = new EllipsoidField(
                 Aabb.around(Vec3.ZERO, new Vec3(2 * RADIUS, 2 * RADIUS, 2 * RADIUS)), depth / (2 * RADIUS));
         DensityCells density =
-                DensityCells.of(field, CellBox.of(field.bounds(), 48).padded(), DensityCells.Sampling.PLAIN);
-        LightCells light = LightCells.of(List.of(density), false, WHITE, LightCells.Around.sun(SUN));
+                DensityCells.of(field, CellBox.of(field.bounds(), 48).padded());
+        LightCells light = LightCells.of(
+                List.of(density), false, WHITE, new LightCells.Around(SUN, List.of(), LightCells.DIVISOR));
         return CellStack.finite(density, light, WHITE);
     }
 
@@ -63,19 +64,18 @@ class ThickCloudLightTest {
 
     @ParameterizedTest
     @CsvSource({"200, 4, 0", "200, 80, 1", "40, 80, 0"})
-    void thinCloudsAndFlatOnesKeepTheLightOfSlabs(double height, double depth, double share) {
+    void thinCloudsAndFlatOnesKeepTheLightOfSlabs(double height, double depth, double fraction) {
         CellBox box = CellBox.of(Aabb.around(Vec3.ZERO, new Vec3(200, height, 200)), 48);
-        DensityCells density =
-                DensityCells.of(new UniformField(box.box(), depth / height), box, DensityCells.Sampling.PLAIN);
+        DensityCells density = DensityCells.of(new UniformField(box.box(), depth / height), box);
         CellBox cells = box.coarser(2);
-        assertEquals(share, new ThickCloudLight(cells, new CellDepths(density, cells), WHITE).share());
+        assertEquals(fraction, new ThickCloudLight(cells, new CellDepths(density, cells), WHITE).fraction());
     }
 
     /** What another cloud shades keeps the light of slabs, of which the other one is a part. */
     @Test
     void behindAnotherCloudTheLightOfSlabsStays() {
         CellBox box = CellBox.of(Aabb.around(Vec3.ZERO, new Vec3(200, 200, 200)), 24);
-        DensityCells density = DensityCells.of(new UniformField(box.box(), 0.4), box, DensityCells.Sampling.PLAIN);
+        DensityCells density = DensityCells.of(new UniformField(box.box(), 0.4), box);
         CellBox cells = box.coarser(2);
         var thick = new ThickCloudLight(cells, new CellDepths(density, cells), WHITE);
         float[] slab = new float[LightCells.VALUES * cells.count()];

@@ -112,7 +112,7 @@ class CloudTimelineTest {
             double angle = 0.7 * n;
             double slope = 0.15 + 0.03 * n;
             double level = Math.sqrt(1 - slope * slope);
-            DrawnCloud cloud = clouds.from().clouds().all().get(0);
+            DrawnCloud cloud = clouds.from().clouds().get(0);
             var march = new CellMarch(cloud.cells(), OUTSIDE, focus.minus(cloud.drift()));
             march.march(cloud.drifting(focus, level * Math.cos(angle), slope, level * Math.sin(angle)), 0, 1e5, 1, 0.5);
             seen[2 * n] = march.radiance().x();
@@ -162,7 +162,7 @@ class CloudTimelineTest {
             double[] expected = seen(atOrigin, Vec3.ZERO);
             CloudInterval later = blown.at(windy, month, wind.scaled(month));
             // Samples are at multiples of a step; the month is none, so the earlier sample is shown where it is.
-            double sampled = later.from().clouds().all().get(0).drift().x() / wind.x();
+            double sampled = later.from().clouds().get(0).drift().x() / wind.x();
             double[] found = seen(later, wind.scaled(sampled));
             for (int i = 0; i < expected.length; i++) {
                 assertEquals(expected[i], found[i], 2e-3, "value " + i);
@@ -172,7 +172,7 @@ class CloudTimelineTest {
     }
 
     private static List<LightCells> lightOf(CloudInterval.Sample sample) {
-        return sample.clouds().all().get(0).cells().light();
+        return sample.clouds().get(0).cells().light();
     }
 
     @Test
@@ -193,7 +193,7 @@ class CloudTimelineTest {
                         1e-9,
                         "place " + n);
             }
-            assertTrue(later.share() > 0 && later.share() < 1);
+            assertTrue(later.fraction() > 0 && later.fraction() < 1);
         }
     }
 
@@ -201,7 +201,7 @@ class CloudTimelineTest {
     void aStillSkyIsSampledOnce() {
         CloudInterval first = calm.at(CALM, 0, Vec3.ZERO);
         assertSame(first.from(), calm.at(CALM, 1e6, new Vec3(3, 2, 1)).from());
-        assertEquals(0, first.share());
+        assertEquals(0, first.fraction());
     }
 
     /** Between two samples 4 s apart, the clouds of another weather were still seen at the time of a keyframe. */

@@ -29,7 +29,7 @@ class PuffSlabsTest {
     void everyBallIsInOneSlabTheFarthestFirst() {
         PuffSlabs slabs = PuffSlabs.of(heap(), EYE, 1e-3).orElseThrow();
         assertEquals(4, slabs.slabs().size());
-        assertEquals(new HashSet<>(heap().all()), new HashSet<>(slabs.balls()));
+        assertEquals(new HashSet<>(heap().all()), new HashSet<>(slabs.puffs()));
         int next = 0;
         double before = Double.POSITIVE_INFINITY;
         for (PuffSlabs.Slab slab : slabs.slabs()) {
@@ -39,7 +39,7 @@ class PuffSlabsTest {
             before = slab.middle();
             for (int ball = slab.first() + 1; ball < slab.end(); ball++) {
                 assertTrue(
-                        metres(slabs.balls().get(ball)) <= metres(slabs.balls().get(ball - 1)));
+                        metres(slabs.puffs().get(ball)) <= metres(slabs.puffs().get(ball - 1)));
             }
         }
         assertEquals(200, next);
@@ -59,7 +59,7 @@ class PuffSlabsTest {
             double error = slabs.errorRadians(eye);
             double worst = 0;
             for (PuffSlabs.Slab slab : slabs.slabs()) {
-                for (Puff ball : slabs.balls().subList(slab.first(), slab.end())) {
+                for (Puff ball : slabs.puffs().subList(slab.first(), slab.end())) {
                     Vec3 to = ball.centre().minus(EYE);
                     Vec3 shown =
                             EYE.addScaled(slab.middle() / -to.dot(slabs.axes().back()), to);

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import nephele.engine.cloud.drawn.SampleInstants.Span;
 import nephele.engine.level.Environment.WeatherKeyframe;
 import nephele.engine.level.Weather;
 import nephele.engine.level.appearance.WeatherCourse;
@@ -43,11 +42,11 @@ class SampleInstantsTest {
                 double seconds = keyframe.timeSeconds();
                 for (Weather weather : Weather.values()) {
                     assertEquals(
-                            weather == keyframe.weather() ? 1 : 0, course.share(weather, seconds), "at " + seconds);
+                            weather == keyframe.weather() ? 1 : 0, course.weight(weather, seconds), "at " + seconds);
                 }
                 if (course.changes()) {
-                    assertEquals(seconds, instants.around(seconds).from());
-                    assertEquals(0, instants.around(seconds).share(), "at " + seconds);
+                    assertEquals(seconds, instants.from(seconds));
+                    assertEquals(0, instants.passed(seconds), "at " + seconds);
                 }
             }
         }
@@ -61,19 +60,21 @@ class SampleInstantsTest {
             SampleInstants instants = SampleInstants.of(0.1 + 9 * random.nextDouble(), course);
             for (int i = 0; i < 100; i++) {
                 double seconds = Math.pow(10, 20 * random.nextDouble() - 10);
-                Span span = instants.around(seconds);
-                assertTrue(span.from() <= seconds && seconds < span.to(), span + " at " + seconds);
-                assertTrue(span.share() >= 0 && span.share() < 1, span + " at " + seconds);
-                assertEquals(span.to(), instants.after(span.from()), "at " + seconds);
+                double from = instants.from(seconds);
+                double to = instants.to(seconds);
+                double passed = instants.passed(seconds);
+                String span = from + " to " + to + ", " + passed;
+                assertTrue(from <= seconds && seconds < to, span + " at " + seconds);
+                assertTrue(passed >= 0 && passed < 1, span + " at " + seconds);
+                assertEquals(to, instants.after(from), "at " + seconds);
                 assertTrue(
                         course.keyframes().stream()
-                                .noneMatch(key -> course.changes()
-                                        && key.timeSeconds() > span.from()
-                                        && key.timeSeconds() < span.to()),
+                                .noneMatch(
+                                        key -> course.changes() && key.timeSeconds() > from && key.timeSeconds() < to),
                         span + " at " + seconds);
                 double sum = 0;
                 for (Weather weather : Weather.values()) {
-                    sum += course.share(weather, seconds);
+                    sum += course.weight(weather, seconds);
                 }
                 assertEquals(1, sum, 1e-12);
             }
@@ -85,21 +86,20 @@ class SampleInstantsTest {
     void withoutKeyframesTheyAreTheMultiplesOfTheStep(double step) {
         SampleInstants instants = SampleInstants.of(step, new WeatherCourse(List.of()));
         for (int k = 0; k < 5000; k++) {
-            assertEquals(k * step, instants.around(k * step).from());
-            assertEquals((k + 1) * step, instants.around(k * step).to());
-            assertEquals(0.25, instants.around((k + 0.25) * step).share(), 1e-9);
+            assertEquals(k * step, instants.from(k * step));
+            assertEquals((k + 1) * step, instants.to(k * step));
+            assertEquals(0.25, instants.passed((k + 0.25) * step), 1e-9);
         }
     }
 
     @Test
     void whatNeverChangesAndWhatNoDoubleTellsApartStandsStill() {
         WeatherCourse one = new WeatherCourse(List.of(new WeatherKeyframe(5, Weather.FEW)));
-        assertEquals(
-                new Span(0, 0, 0),
-                SampleInstants.of(Double.POSITIVE_INFINITY, one).around(1e9));
+        SampleInstants never = SampleInstants.of(Double.POSITIVE_INFINITY, one);
+        assertEquals(List.of(0.0, 0.0, 0.0), List.of(never.from(1e9), never.to(1e9), never.passed(1e9)));
         for (double seconds : new double[] {Double.MIN_VALUE, 1e300, Double.MAX_VALUE}) {
-            Span span = SampleInstants.of(4, one).around(seconds);
-            assertTrue(span.share() >= 0 && span.share() < 1, span + " at " + seconds);
+            double passed = SampleInstants.of(4, one).passed(seconds);
+            assertTrue(passed >= 0 && passed < 1, passed + " at " + seconds);
         }
     }
 }

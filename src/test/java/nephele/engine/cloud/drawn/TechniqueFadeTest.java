@@ -20,7 +20,9 @@ class TechniqueFadeTest {
     private static final double FRAME = 1.0 / 60;
 
     private static double sum(TechniqueFade fade) {
-        return IntStream.range(0, fade.stages().size()).mapToDouble(fade::share).sum();
+        return IntStream.range(0, fade.stages().size())
+                .mapToDouble(fade::fraction)
+                .sum();
     }
 
     @Test
@@ -32,12 +34,12 @@ class TechniqueFadeTest {
                 () -> assertTrue(TechniqueFade.complete(FAR).isComplete()),
                 () -> assertEquals(
                         TechniqueFade.complete(FAR), TechniqueFade.complete(FAR).towards(FAR)),
-                () -> assertEquals(1, begun.share(FAR)),
-                () -> assertEquals(0, begun.share(NEAR)),
-                () -> assertTrue(!half.isComplete() && half.share(NEAR) > 0.01 && half.share(FAR) > 0.05),
+                () -> assertEquals(1, begun.fraction(FAR)),
+                () -> assertEquals(0, begun.fraction(NEAR)),
+                () -> assertTrue(!half.isComplete() && half.fraction(NEAR) > 0.01 && half.fraction(FAR) > 0.05),
                 () -> assertEquals(TechniqueFade.complete(NEAR), ended),
-                () -> assertEquals(1, ended.share(NEAR)),
-                () -> assertEquals(0, ended.share(FAR)),
+                () -> assertEquals(1, ended.fraction(NEAR)),
+                () -> assertEquals(0, ended.fraction(FAR)),
                 () -> assertEquals(ended, begun.after(Double.POSITIVE_INFINITY)));
     }
 
@@ -52,26 +54,26 @@ class TechniqueFadeTest {
                 TechniqueFade before = fade;
                 fade = fade.towards(all.get(random.nextInt(3)));
                 for (List<CloudTechnique> one : all) {
-                    assertEquals(before.share(one), fade.share(one), 1e-15);
+                    assertEquals(before.fraction(one), fade.fraction(one), 1e-15);
                 }
             }
             TechniqueFade before = fade;
             fade = fade.after(FRAME);
             assertEquals(1, sum(fade), 1e-12);
             for (List<CloudTechnique> one : all) {
-                assertEquals(before.share(one), fade.share(one), 0.11);
+                assertEquals(before.fraction(one), fade.fraction(one), 0.11);
             }
         }
         fade = fade.after(TechniqueFade.SECONDS);
         assertTrue(fade.isComplete());
-        assertEquals(1, fade.share(fade.techniques()));
+        assertEquals(1, fade.fraction(fade.techniques()));
     }
 
     @Test
     void aChangeThatTurnsBackRetracesItsWay() {
         TechniqueFade there = TechniqueFade.complete(FAR).towards(NEAR).after(0.3);
         TechniqueFade back = there.after(0.2).towards(FAR).after(0.2);
-        assertEquals(there.share(NEAR), back.share(NEAR), 1e-12);
+        assertEquals(there.fraction(NEAR), back.fraction(NEAR), 1e-12);
         assertEquals(TechniqueFade.complete(FAR), back.after(0.31));
     }
 
@@ -84,7 +86,7 @@ class TechniqueFadeTest {
         double most = 0;
         while (!fade.isComplete()) {
             fade = fade.after(FRAME);
-            double now = -Math.expm1(-depth * fade.share(NEAR));
+            double now = -Math.expm1(-depth * fade.fraction(NEAR));
             most = Math.max(most, now - shown);
             assertTrue(now >= shown);
             shown = now;

@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
-import nephele.engine.asset.VolFile;
 import nephele.engine.asset.VoxelGrid;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.OpticalDepth;
@@ -33,7 +32,7 @@ class CloudFieldsTest {
     private static ExtinctionField field(
             Cloud.Extent extent, Cloud.Density density, byte[] file, double extinctionPerMetre) {
         var cloud = new Cloud("c", extent, CloudTechnique.AUTO, density, extinctionPerMetre, 1, 0);
-        return CloudFields.of(cloud, TestPictures.always(file));
+        return CloudFields.of(cloud, TestPictures.always(file), 0);
     }
 
     private static byte[] vol(float... values) {
@@ -105,7 +104,7 @@ class CloudFieldsTest {
                 var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(4, thickness, 1));
                 var cloud =
                         new Cloud("c", extent, CloudTechnique.AUTO, new Cloud.Density.Image("a.png"), extinction, 1, 0);
-                ExtinctionField field = CloudFields.of(cloud, TestPictures.always(file));
+                ExtinctionField field = CloudFields.of(cloud, TestPictures.always(file), 0);
                 for (int i = 0; i < alphas.length; i++) {
                     Ray up = new Ray(i - 1.5, -thickness, 0, 0, 1, 0);
                     double depth = OpticalDepth.along(field, up, 0, 2 * thickness);
@@ -119,7 +118,7 @@ class CloudFieldsTest {
     @Test
     void sixteenBitsOfAlphaCount() {
         byte[] samples = {0, 0, 0, (byte) 0x80, 0, 0, 1, 0};
-        VoxelGrid grid = CloudPicture.densities(new Picture(2, 1, 2, 16, samples));
+        VoxelGrid grid = CloudFiles.densities(new Picture(2, 1, 2, 16, samples));
         assertEquals(-Math.log(1 - 0x8000 / 65535.0), grid.value(0, 0, 0), 1e-6);
         assertEquals(1 / 65535.0, grid.value(1, 0, 0), 1e-9);
     }
@@ -161,7 +160,7 @@ class CloudFieldsTest {
     private static void refused(Consumer<ByteBuffer> damage, String expected) {
         byte[] file = vol(0, 1);
         damage.accept(ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN));
-        var refusal = assertThrows(AssetException.class, () -> VolFile.parse("sky/a.vol", file));
+        var refusal = assertThrows(AssetException.class, () -> VoxelGrid.read("sky/a.vol", file));
         assertTrue(refusal.getMessage().startsWith("sky/a.vol: "), refusal.getMessage());
         assertTrue(refusal.getMessage().contains(expected), refusal.getMessage());
     }

@@ -173,7 +173,7 @@ class NoiseCloudTest {
     void aCoverageMapRulesThePlanOfAVolume() {
         var box = new Cloud.Extent.Volume(new Vec3(0, 500, 0), new Vec3(3700, 400, 2100));
         ExtinctionField field = field(box, new Noise(7, 60, 1, 0, null, "map.png", 0));
-        VoxelGrid map = CloudPicture.greys(PictureDecoder.decode("map.png", TestPictures.COVERAGE.bytes("map.png")));
+        VoxelGrid map = CloudFiles.greys(PictureDecoder.decode("map.png", TestPictures.COVERAGE.bytes("map.png")));
         for (int k = 0; k < 21; k++) {
             for (int i = 0; i < 37; i++) {
                 double x = -1850 + (i + 0.5) * 100;

@@ -10,7 +10,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
-import nephele.engine.cloud.noise.EvolvingNoise.Layout;
 import nephele.engine.math.Hash64;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,10 +18,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Tables are what a repeated texture is, the same on every machine, and as far away as at the origin. */
 class CloudTablesTest {
     private static final CloudTables TABLES = CloudTables.of(7);
-    private static final Layout LAYOUT = new Layout(400, 0.6, 0.8);
 
     private static List<PeriodicTable> tables() {
         return List.of(TABLES.shape(), TABLES.detail(), TABLES.plan());
+    }
+
+    private static EvolvingNoise noise(PeriodicTable table, double generation) {
+        return new EvolvingNoise(table, 400, 0.6, 0.8, 3, generation);
     }
 
     private static long hash(PeriodicTable table) {
@@ -103,7 +105,7 @@ class CloudTablesTest {
         var random = new SplittableRandom(1);
         for (PeriodicTable table : tables()) {
             for (double generation : new double[] {0, 0.3, 7.8}) {
-                var noise = new EvolvingNoise(table, LAYOUT, 3, generation);
+                var noise = noise(table, generation);
                 for (int n = 0; n < 300; n++) {
                     double x = random.nextDouble(-1e4, 1e4);
                     double y = random.nextDouble(-1e4, 1e4);
@@ -126,7 +128,7 @@ class CloudTablesTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.2, 0.5, 0.8, 1, 500.5})
     void evolutionKeepsTheContrast(double generation) {
-        var noise = new EvolvingNoise(TABLES.plan(), LAYOUT, 3, generation);
+        var noise = noise(TABLES.plan(), generation);
         var random = new SplittableRandom(2);
         int count = 20_000;
         double sum = 0;
@@ -153,14 +155,14 @@ class CloudTablesTest {
     }
 
     private static double value(double generation, double[] at) {
-        return new EvolvingNoise(TABLES.shape(), LAYOUT, 3, generation).at(at[0], at[1], at[2]);
+        return noise(TABLES.shape(), generation).at(at[0], at[1], at[2]);
     }
 
     /** {@code fract(sin(dot))} has 268 distinct values of 65536 at 1e7; this noise has nearly all at 1e9 metres. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e6, 1e9})
     void farCoordinatesAreAsGoodAsNearOnes(double far) {
-        var noise = new EvolvingNoise(TABLES.plan(), LAYOUT, 3, 0);
+        var noise = noise(TABLES.plan(), 0);
         Set<Double> distinct = new HashSet<>();
         int[] counts = new int[16];
         int cells = 256;

@@ -34,7 +34,7 @@ class CloudDemandTest {
     @Test
     void aFewCloudsHaveAllTheirCells() {
         assertEquals(96, demand(9).longest());
-        assertEquals(1, demand(9).share());
+        assertEquals(1, demand(9).fraction());
     }
 
     @Test

@@ -53,15 +53,15 @@ class SolidFacesTest {
         for (Solid solid : oneOfEachKind()) {
             for (String name : SolidFaces.names(solid)) {
                 Solid painted = SolidFaces.with(solid, name, SAID);
-                assertEquals(SAID, SolidFaces.said(painted, name));
+                assertEquals(SAID, SolidFaces.authored(painted, name));
                 for (Brush.BrushFace face : Brush.of(painted).faces()) {
-                    Solid.Face other = SolidFaces.said(solid, face.name());
+                    Solid.Face other = SolidFaces.authored(solid, face.name());
                     boolean isPainted = face.name().equals(name);
                     assertEquals(isPainted ? SAID.texture() : other.texture(), face.texture(), name);
                     assertEquals(isPainted ? "tile" : "brick", face.material());
                     assertEquals(isPainted, face.portalable());
                 }
-                assertEquals(solid, SolidFaces.with(painted, name, SolidFaces.said(solid, name)), name);
+                assertEquals(solid, SolidFaces.with(painted, name, SolidFaces.authored(solid, name)), name);
             }
         }
     }

@@ -18,21 +18,21 @@ class WeatherCourseTest {
 
     @Test
     void aWeatherHasTheWholeSkyAtItsTimeAndHalfOfItBetween() {
-        assertEquals(1, COURSE.share(Weather.FEW, 0));
-        assertEquals(1, COURSE.share(Weather.FEW, 10));
-        assertEquals(0.5, COURSE.share(Weather.FEW, 60));
-        assertEquals(0.5, COURSE.share(Weather.STORM, 60));
-        assertEquals(1, COURSE.share(Weather.STORM, 130));
-        assertEquals(0, COURSE.share(Weather.STORM, 1e9));
-        assertEquals(1, COURSE.share(Weather.CLEAR, 1e9));
+        assertEquals(1, COURSE.weight(Weather.FEW, 0));
+        assertEquals(1, COURSE.weight(Weather.FEW, 10));
+        assertEquals(0.5, COURSE.weight(Weather.FEW, 60));
+        assertEquals(0.5, COURSE.weight(Weather.STORM, 60));
+        assertEquals(1, COURSE.weight(Weather.STORM, 130));
+        assertEquals(0, COURSE.weight(Weather.STORM, 1e9));
+        assertEquals(1, COURSE.weight(Weather.CLEAR, 1e9));
     }
 
     @Test
     void sharesSumToOneAndDoNotJump() {
-        double before = COURSE.share(Weather.STORM, 0);
+        double before = COURSE.weight(Weather.STORM, 0);
         for (double seconds = 0; seconds < 400; seconds += 0.25) {
-            double storm = COURSE.share(Weather.STORM, seconds);
-            double sum = storm + COURSE.share(Weather.FEW, seconds) + COURSE.share(Weather.CLEAR, seconds);
+            double storm = COURSE.weight(Weather.STORM, seconds);
+            double sum = storm + COURSE.weight(Weather.FEW, seconds) + COURSE.weight(Weather.CLEAR, seconds);
             assertEquals(1, sum, 1e-12, "at " + seconds);
             assertEquals(before, storm, 0.01, "at " + seconds);
             before = storm;
@@ -47,6 +47,6 @@ class WeatherCourseTest {
                 new WeatherCourse(List.of(new WeatherKeyframe(0, Weather.FEW), new WeatherKeyframe(9, Weather.FEW)));
         assertFalse(steady.changes());
         assertEquals(Double.POSITIVE_INFINITY, steady.shortestSeconds());
-        assertEquals(1, steady.share(Weather.FEW, 4), 1e-12);
+        assertEquals(1, steady.weight(Weather.FEW, 4), 1e-12);
     }
 }

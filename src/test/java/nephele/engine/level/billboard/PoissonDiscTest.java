@@ -4,10 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.math.Aabb;
 import org.junit.jupiter.api.Test;
 
 class PoissonDiscTest {
-    private static final Ground.Area AREA = new Ground.Area(-20, -10, 20, 10);
+    private static final Aabb AREA = new Aabb(-20, 0, -10, 20, 0, 10);
 
     private static List<double[]> points(double spacing, int most, int seed) {
         return PoissonDisc.points(AREA, spacing, most, seed, (x, z, chance) -> true);
@@ -77,6 +78,6 @@ class PoissonDiscTest {
 
     @Test
     void anEmptyAreaHasNoPoints() {
-        assertEquals(List.of(), PoissonDisc.points(new Ground.Area(1, 1, 1, 5), 1, 9, 0, (x, z, chance) -> true));
+        assertEquals(List.of(), PoissonDisc.points(new Aabb(1, 0, 1, 1, 0, 5), 1, 9, 0, (x, z, chance) -> true));
     }
 }

@@ -102,7 +102,7 @@ class LevelFileTest {
     /** Returns true if the save reported success. */
     private boolean attempt(FaultyFiles files) {
         try {
-            new LevelSaver(files).save(file, NEW);
+            LevelFile.save(file, NEW, files);
             return true;
         } catch (LevelSaveException told) {
             assertTrue(told.getMessage().startsWith(file + ": cannot be saved: "), told.getMessage());

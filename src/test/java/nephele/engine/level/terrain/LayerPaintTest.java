@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Random;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Terrain;
@@ -94,7 +93,7 @@ class LayerPaintTest {
 
     @Test
     void aMapIsReadOnlyForTwoLayersOrMore() {
-        byte[] file = LayerMapFile.png(map(2, 2, 0, 1, 0, 255, 0, 3, 9, 0));
+        byte[] file = map(2, 2, 0, 1, 0, 255, 0, 3, 9, 0).png();
         TestAssets assets = new TestAssets().file("m.png", file);
         assertEquals(Optional.empty(), LayerPaint.read(GROUND, assets));
         Terrain painted = GROUND.withLayerMap("m.png");

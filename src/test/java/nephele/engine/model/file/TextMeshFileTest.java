@@ -14,7 +14,6 @@ import nephele.engine.model.shape.ConeShape;
 import nephele.engine.model.shape.CylinderShape;
 import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.model.shape.PlaneShape;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import nephele.engine.model.shape.Shape;
 import nephele.engine.model.shape.SphereShape;
 import nephele.engine.model.shape.TorusShape;
@@ -58,7 +57,7 @@ class TextMeshFileTest {
     void whatIsWrittenIsReadBackToTheLastBit() {
         var teapot = GeneratedName.shape("bezier_5.3d", name -> null).orElseThrow();
         for (Shape shape : new Shape[] {
-            new PlaneShape(0.3, 7, Sides.BOTH),
+            new PlaneShape(0.3, 7, true),
             new BoxShape(1e-6, 3),
             new ConeShape(0.1, 1e6, 7, 3),
             new SphereShape(1 / 3.0, 31, 17),

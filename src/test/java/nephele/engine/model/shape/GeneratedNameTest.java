@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.model.shape.PlaneShape.Sides;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -20,7 +19,7 @@ class GeneratedNameTest {
 
     @Test
     void namesAreTheShapesThatTheGeneratorMakes() {
-        assertEquals(new PlaneShape(2, 3, Sides.TOP), shape("plane_2_3.3d").orElseThrow());
+        assertEquals(new PlaneShape(2, 3, false), shape("plane_2_3.3d").orElseThrow());
         assertEquals(new BoxShape(2, 3), shape("models/box_2_3.3d").orElseThrow());
         assertEquals(new ConeShape(1, 2, 4, 3), shape("cone_1_2_4_3.3d").orElseThrow());
         assertEquals(new SphereShape(0.5, 8, 8), shape("..\\sphere_0.5_8_8.3d").orElseThrow());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.AirTables;
 import nephele.engine.cloud.HenyeyGreenstein;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.cloud.field.UniformField;
@@ -76,7 +77,8 @@ class OverPlanetTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 1500, 10_000})
     void theSunSetsWithoutAStepAndStaysBehindThePlanet(double altitude) {
-        DistantLight light = new LightOverPlanet(Air.CLEAR, new Vec3(1, 1, 1), new Vec3(1, 0, 0));
+        var white = new Vec3(1, 1, 1);
+        DistantLight light = new LightOverPlanet(AirTables.of(Air.CLEAR), white, white, new Vec3(1, 0, 0));
         double radius = Air.PLANET_RADIUS_METRES + altitude;
         double set = -Math.toDegrees(Math.acos(Air.PLANET_RADIUS_METRES / radius)) - 0.2666;
         Vec3 before = null;

@@ -44,7 +44,7 @@ class TrackingTest {
     }
 
     private static double escapes(ExtinctionField field, Ray ray, SplittableRandom random) {
-        return DeltaTracking.collision(field, ray, 0, INFINITE, random) == INFINITE ? 1 : 0;
+        return MajorantTracking.collision(field, ray, 0, INFINITE, random) == INFINITE ? 1 : 0;
     }
 
     @Test
@@ -54,9 +54,9 @@ class TrackingTest {
             for (int n = 0; n < 6; n++) {
                 Ray ray = SampleFields.ray(rays);
                 double expected = Math.exp(-OpticalDepth.quadrature(field, ray, 10, 90, 64));
-                Mean.of(10_000, n, random -> RatioTracking.transmittance(field, ray, 10, 90, random))
+                Mean.of(10_000, n, random -> MajorantTracking.transmittance(field, ray, 10, 90, random))
                         .requireNear(expected, 0.3, name + ", ratio");
-                Mean.of(10_000, n, random -> DeltaTracking.collision(field, ray, 10, 90, random) == INFINITE ? 1 : 0)
+                Mean.of(10_000, n, random -> MajorantTracking.collision(field, ray, 10, 90, random) == INFINITE ? 1 : 0)
                         .requireNear(expected, 0.3, name + ", delta");
             }
         });
@@ -66,7 +66,10 @@ class TrackingTest {
     void flightsAreExponential() {
         var slab = new UniformField(LAYER, 2);
         for (double metres : new double[] {0.1, 0.5, 0.9}) {
-            Mean.of(100_000, 2, random -> DeltaTracking.collision(slab, down(1), 0, INFINITE, random) < metres ? 1 : 0)
+            Mean.of(
+                            100_000,
+                            2,
+                            random -> MajorantTracking.collision(slab, down(1), 0, INFINITE, random) < metres ? 1 : 0)
                     .requireNear(1 - Math.exp(-2 * metres), 0.01, "flights");
         }
     }
@@ -105,14 +108,14 @@ class TrackingTest {
         Ray eye = mu > 0 ? new Ray(0, 1, 0, sine, -mu, 0) : new Ray(0, 0, 0, sine, -mu, 0);
         double sunSine = Math.sqrt(1 - mu0 * mu0);
         Mean.of(200_000, 4, random -> {
-                    double at = DeltaTracking.collision(slab, eye, 0, INFINITE, random);
+                    double at = MajorantTracking.collision(slab, eye, 0, INFINITE, random);
                     if (at == INFINITE) {
                         return 0;
                     }
                     Vec3 p = eye.at(at);
                     var toSun = new Ray(p.x(), p.y(), p.z(), sunSine, mu0, 0);
                     double scattered = new HenyeyGreenstein(0).perSteradian(2);
-                    return scattered * RatioTracking.transmittance(slab, toSun, 0, INFINITE, random);
+                    return scattered * MajorantTracking.transmittance(slab, toSun, 0, INFINITE, random);
                 })
                 .requireNear(expected, 0.01, "from " + mu0 + " to " + mu);
     }
@@ -120,8 +123,8 @@ class TrackingTest {
     @Test
     void anInfinitelyDenseRayEndsAtOnce() {
         var dense = new UniformField(LAYER, 1e12);
-        double metres = DeltaTracking.collision(dense, down(1), 0, INFINITE, new SplittableRandom(1));
+        double metres = MajorantTracking.collision(dense, down(1), 0, INFINITE, new SplittableRandom(1));
         assertTrue(metres < 1e-9, "" + metres);
-        assertEquals(0, RatioTracking.transmittance(dense, down(1), 0, INFINITE, new SplittableRandom(1)));
+        assertEquals(0, MajorantTracking.transmittance(dense, down(1), 0, INFINITE, new SplittableRandom(1)));
     }
 }

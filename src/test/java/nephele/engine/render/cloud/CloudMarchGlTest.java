@@ -122,11 +122,8 @@ class CloudMarchGlTest {
             renderer.draw(view, offscreen.picture);
             offscreen.gl.requireNoError("frame");
             float[] drawn = renderer.readRadiance();
-            DrawnCloud sampled = timeline.at(level.environment(), 0, EYE)
-                    .from()
-                    .clouds()
-                    .all()
-                    .get(0);
+            DrawnCloud sampled =
+                    timeline.at(level.environment(), 0, EYE).from().clouds().get(0);
             double irradiance = level.environment().sun().irradiance().x();
             var march = new CellMarch(
                     sampled.cells(),

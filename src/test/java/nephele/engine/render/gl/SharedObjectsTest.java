@@ -21,14 +21,14 @@ class SharedObjectsTest {
     }
 
     @Test
-    void aShareEndsWithItsLastHolder() {
+    void anObjectEndsWithItsLastHolder() {
         List<String> closed = new ArrayList<>();
-        var first = shared.share(Object.class, "key", Object::new, object -> closed.add("closed"));
-        var second = shared.share(Object.class, "key", Object::new, object -> closed.add("closed"));
-        assertSame(first.get(), second.get());
-        first.close();
+        Object first = shared.hold(Object.class, "key", Object::new, object -> closed.add("closed"));
+        Object second = shared.hold(Object.class, "key", Object::new, object -> closed.add("closed"));
+        assertSame(first, second);
+        shared.letGo(Object.class, "key");
         assertEquals(List.of(), closed);
-        second.close();
+        shared.letGo(Object.class, "key");
         assertEquals(List.of("closed"), closed);
     }
 

@@ -111,7 +111,7 @@ class PunctualLightTest {
                     random.nextDouble() * 12 - 3,
                     (random.nextDouble() - 0.5) * 2 * spread);
             Vec3 normal = normal(random, i);
-            int list = LightGrid.FACINGS * table.grid().cellAt(p) + LightGrid.facingOf(normal);
+            int list = LightGrid.FACINGS * cellAt(table.grid(), p) + facingOf(normal);
             int from = table.grid().firstOfList()[list];
             int to = table.grid().firstOfList()[list + 1];
             listed += to - from;
@@ -190,7 +190,7 @@ class PunctualLightTest {
         int leftOut = 0;
         for (int i = 0; i < 5000; i++) {
             Vec3 p = new Vec3(random.nextDouble() * 20 - 10, random.nextDouble() * 3, random.nextDouble() * 20 - 10);
-            int list = LightGrid.FACINGS * table.grid().cellAt(p) + LightGrid.FACINGS - 1;
+            int list = LightGrid.FACINGS * cellAt(table.grid(), p) + LightGrid.FACINGS - 1;
             int[] listed = Arrays.copyOfRange(
                     table.grid().lights(),
                     table.grid().firstOfList()[list],
@@ -224,5 +224,29 @@ class PunctualLightTest {
 
     private static PunctualLight point(Vec3 p, double range) {
         return PunctualLight.of(new Light.Point("p", p, WHITE, range, false)).orElseThrow();
+    }
+
+    /** Returns the cell of any point in space, as the shader computes it. */
+    private static int cellAt(LightGrid grid, Vec3 p) {
+        int x = index((p.x() - grid.min().x()) / grid.cellMetres().x(), grid.columns());
+        int y = index((p.y() - grid.min().y()) / grid.cellMetres().y(), grid.floors());
+        int z = index((p.z() - grid.min().z()) / grid.cellMetres().z(), grid.rows());
+        return x + grid.columns() * (y + grid.floors() * z);
+    }
+
+    private static int index(double cell, int count) {
+        return (int) Math.min(Math.max(cell, 0), count - 1);
+    }
+
+    /** Returns the index of a face's list in its cell, as the shader computes it. */
+    private static int facingOf(Vec3 normal) {
+        double limit = 0.9999;
+        double[] n = {normal.x(), normal.y(), normal.z()};
+        for (int axis = 0; axis < 3; axis++) {
+            if (Math.abs(n[axis]) > limit) {
+                return 2 * axis + (n[axis] < 0 ? 1 : 0);
+            }
+        }
+        return LightGrid.FACINGS - 1;
     }
 }

@@ -17,13 +17,15 @@ class CloudRaysTest {
     void longerStepsEvaluateLessAndMissMore() {
         OpenedLevel opened = new LevelName("levels/samples/clouds-grid.json").open();
         PlacedLevel placed = opened.placed();
-        View view = Viewpoints.standard(opened.level(), opened.file(), 4).view(0);
+        View view = Viewpoints.standard(opened.level(), opened.file(), 4).apply(0);
         try (var rays = new CloudRays(placed, view)) {
-            CloudRays.Marched fine = rays.marched(0.5);
-            CloudRays.Marched coarse = rays.marched(8);
-            assertTrue(fine.evaluations() > 8 * coarse.evaluations(), fine + ", " + coarse);
-            assertTrue(fine.transmittanceError() < 0.02, fine.toString());
-            assertTrue(coarse.transmittanceError() > 2 * fine.transmittanceError(), fine + ", " + coarse);
+            rays.march(0.5);
+            double evaluations = rays.evaluations();
+            double error = rays.transmittanceError();
+            rays.march(8);
+            assertTrue(evaluations > 8 * rays.evaluations(), evaluations + ", " + rays.evaluations());
+            assertTrue(error < 0.02, Double.toString(error));
+            assertTrue(rays.transmittanceError() > 2 * error, error + ", " + rays.transmittanceError());
         }
     }
 }

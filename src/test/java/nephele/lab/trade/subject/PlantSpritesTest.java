@@ -43,12 +43,12 @@ class PlantSpritesTest {
         assertEquals(2, groups.size());
         int number = 0;
         for (PlantedBillboards.Group group : groups) {
-            assertEquals(Billboards.Facing.CROSSED, group.said().facing());
+            assertEquals(Billboards.Facing.CROSSED, group.authored().facing());
             for (int i = 0; i < group.feet().size(); i++) {
                 Plant plant = planted.plants().get(number++);
                 Aabb box = box(planted, plant);
-                double height = group.said().sizeMetres().height() * group.scale(i);
-                double width = group.said().sizeMetres().width() * group.scale(i);
+                double height = group.authored().sizeMetres().height() * group.scale(i);
+                double width = group.authored().sizeMetres().width() * group.scale(i);
                 assertEquals(box.minY(), group.feet().get(i).y(), 1e-6);
                 assertEquals(box.maxY(), group.feet().get(i).y() + height, 1e-6);
                 // The upright cylinder around the kind holds it however it is turned.

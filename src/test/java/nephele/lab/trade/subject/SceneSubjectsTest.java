@@ -19,7 +19,7 @@ class SceneSubjectsTest {
     void theReportsConeFacesTooHighHalfwayUp() {
         Mesh cone = new ConeShape(1, 2, 8, 2).mesh();
         assertEquals(26.565, rise(cone), 1e-3);
-        assertEquals(41.810, rise(ReportCones.withReportNormals(cone, 1, 2)), 1e-3);
+        assertEquals(41.810, rise(SceneSubjects.withReportNormals(cone, 1, 2)), 1e-3);
     }
 
     /** Returns the normal's degrees above the horizontal, of the first point halfway up. */

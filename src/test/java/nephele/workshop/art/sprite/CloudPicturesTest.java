@@ -11,7 +11,7 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VolFile;
+import nephele.engine.asset.VoxelGrid;
 import nephele.workshop.art.picture.PictureRecipe;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,7 +52,7 @@ class CloudPicturesTest {
     void theCommittedGridIsWhatTheCodeMakes() throws IOException {
         byte[] file = Files.readAllBytes(ASSETS.resolve(SampleGrid.FILE));
         assertArrayEquals(SampleGrid.written(), file, "run gradle textures");
-        VolFile.parse(SampleGrid.FILE, file);
+        VoxelGrid.read(SampleGrid.FILE, file);
     }
 
     @ParameterizedTest

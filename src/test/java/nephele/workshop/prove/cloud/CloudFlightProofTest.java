@@ -12,7 +12,7 @@ class CloudFlightProofTest {
     /** A few frames of the coarsest preset, under the cheapest clouds. */
     @Test
     void framesThatShareRaysStepAsFramesOfAllRays() {
-        var proof = new CloudFlightProof("levels/samples/clouds-ellipsoid.json", new CloudFlight.Size(96, 54), 6);
+        var proof = new CloudFlightProof("levels/samples/clouds-ellipsoid.json", 96, 54, 6);
         ProofResult low = proof.run(0, 1, Proof.Progress.NONE);
         assertEquals(List.of(), low.examples());
         double error = low.value("low, mean error");

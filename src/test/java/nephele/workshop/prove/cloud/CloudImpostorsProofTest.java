@@ -12,7 +12,7 @@ class CloudImpostorsProofTest {
     /** The first frames of a flight, small, by one cloud. */
     @Test
     void whatImpostorsShowIsWithinAPixel() {
-        var proof = new CloudImpostorsProof("levels/samples/clouds-particles.json", new CloudFlight.Size(96, 54), 9);
+        var proof = new CloudImpostorsProof("levels/samples/clouds-particles.json", 96, 54, 9);
         ProofResult all = proof.run(0, 1, Proof.Progress.NONE);
         assertEquals(List.of(), all.examples());
         double difference = all.value("all rays, mean difference");

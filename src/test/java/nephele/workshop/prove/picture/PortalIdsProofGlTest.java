@@ -54,12 +54,12 @@ class PortalIdsProofGlTest {
             drawn.setRGB(i % 4, 1 - i / 4, i < 6 ? sight.at(i % 4, i / 4) : IdTally.TERMINAL);
         }
         var all = new IdTally();
-        all.compare(drawn, sight, IdTally.Views.ALL, "all");
+        all.compare(drawn, sight, ComparedLevel.UNLIMITED, "all");
         assertEquals(
                 List.of("all: 2 pixels of views that were not drawn"),
                 all.result(1).examples());
         var budgeted = new IdTally();
-        budgeted.compare(drawn, sight, IdTally.Views.BUDGETED, "budgeted");
+        budgeted.compare(drawn, sight, 16, "budgeted");
         assertEquals(List.of(), budgeted.result(1).examples());
         assertEquals(
                 25,

@@ -50,8 +50,9 @@ final class CrossingsProofTest {
     @Test
     void everyKindOfBodyIsThrown() {
         Set<Class<?>> kinds = new HashSet<>();
+        PortalRoom room = PortalRoom.of(new SplittableRandom(0));
         for (int seed = 0; seed < 50; seed++) {
-            kinds.add(ThrownBody.of(new SplittableRandom(seed)).body().getClass());
+            kinds.add(new CrossingBodies(room, 120, seed).body().getClass());
         }
         assertEquals(Set.of(Body.Box.class, Body.Sphere.class, Body.Capsule.class), kinds);
     }

@@ -1,30 +1,24 @@
 package nephele.workshop.prove.portals;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.render.frame.PortalTechnique;
+import nephele.workshop.prove.proof.Proof;
+import nephele.workshop.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
 
 /**
  * Eyes that pass through a portal never see its wall, at a reduced count; {@code prove eye-crossings} moves 10⁴ eyes.
  */
 class EyeCrossingsGlTest {
+    /** Each technique draws every crossing of its part of the units. */
     @Test
     void noFrameShowsTheWallOnTheWayThrough() {
-        for (PortalTechnique technique : PortalTechnique.values()) {
-            assertNoWall(technique);
-        }
-    }
-
-    private static void assertNoWall(PortalTechnique technique) {
-        try (EyeCrossings crossings = new EyeCrossings(technique)) {
-            for (int i = 0; i < 60; i++) {
-                crossings.cross(1000 + i);
-            }
-            assertEquals(60, crossings.crossed());
-            assertEquals(0, crossings.badFrames(), "of " + crossings.frames() + " frames");
-            assertTrue(crossings.frames() >= 360);
-        }
+        long crossings = 60L * PortalTechnique.values().length;
+        ProofResult result = new EyeCrossingsProof().run(1000, crossings, Proof.Progress.NONE);
+        assertEquals(crossings, result.value("eyes that came through"));
+        assertEquals(0, result.value("frames that show a wall or nothing"));
+        assertEquals(0, result.failures());
+        assertEquals(6 * crossings, result.value("frames"));
     }
 }

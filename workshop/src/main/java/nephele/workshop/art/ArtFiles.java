@@ -19,14 +19,12 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.model.file.MeshText;
 import nephele.lab.generate.PlantKind;
-import nephele.lab.generate.PlantKinds;
 import nephele.lab.generate.PlantPaint;
 import nephele.lab.generate.TerrainGenerator;
 import nephele.workshop.art.bench.BenchLevels;
 import nephele.workshop.art.bench.BenchPixels;
 import nephele.workshop.art.bench.BenchTerrain;
 import nephele.workshop.art.material.TextureRecipe;
-import nephele.workshop.art.material.Textures;
 import nephele.workshop.art.paint.ColourRamp;
 import nephele.workshop.art.paint.Pixels;
 import nephele.workshop.art.paint.Surface;
@@ -65,13 +63,13 @@ public final class ArtFiles {
         for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
             write(assets.resolve(picture.getKey()), picture.getValue());
         }
-        for (TextureRecipe recipe : Textures.ALL) {
+        for (TextureRecipe recipe : TextureRecipe.ALL) {
             Surface surface = recipe.paint();
             write(assets.resolve(recipe.colourFile()), surface.colourPicture());
             write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
-        for (List<PictureRecipe> recipes : List.of(
-                ScenePictures.ALL, CloudPictures.ALL, PLANT_PICTURES, SpritePictures.ALL, StonesGrowth.PICTURES)) {
+        for (List<PictureRecipe> recipes :
+                List.of(ScenePictures.ALL, CloudPictures.ALL, PLANT_PICTURES, SpritePictures.ALL, StonesMap.GROWTH)) {
             for (PictureRecipe recipe : recipes) {
                 write(assets.resolve(recipe.file()), recipe.painter().get());
             }
@@ -166,7 +164,7 @@ public final class ArtFiles {
     /** Returns the meshes by asset id. */
     public static Map<String, byte[]> plants() {
         Map<String, byte[]> files = new LinkedHashMap<>();
-        for (PlantKind kind : PlantKinds.ALL) {
+        for (PlantKind kind : PlantKind.all()) {
             files.put(PLANT_FOLDER + "/" + kind.word() + ".3d", MeshText.of(kind.grown(PLANT_SEED)));
         }
         return files;

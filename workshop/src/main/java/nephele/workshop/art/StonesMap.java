@@ -1,11 +1,16 @@
 package nephele.workshop.art;
 
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
 import nephele.engine.math.SeededNoise;
+import nephele.workshop.art.picture.PictureRecipe;
 
 /**
- * The ground of the level "Standing stones": meadows on both sides of a gorge, a hill with a cliff, a rock with steep
- * sides beside it, and mountains around. Cliffs are steeper than a player can walk; the gorge has one ramp, to the south.
+ * The ground of the level "Standing stones" and where plants grow on it: meadows on both sides of a gorge, a hill with a
+ * cliff, a rock with steep sides beside it, and mountains around. Cliffs are steeper than a player can walk; the gorge
+ * has one ramp, to the south.
  */
 public final class StonesMap {
     public static final String FILE = "terrain/stones.png";
@@ -24,6 +29,35 @@ public final class StonesMap {
     private static final double ROCK_TOP = 38;
     private static final double GORGE_FLOOR = 2;
 
+    private static final int GROWTH_SIDE = 257;
+    private static final SeededNoise GROWTH_NOISE = new SeededNoise(61);
+
+    /** Where plants grow: pictures that are as bright as plants are dense. */
+    public static final List<PictureRecipe> GROWTH = List.of(
+            recipe("meadow", (x, z) -> clear(x, z, 1) * (0.25 + 0.75 * patches(x, z, 14, 0.42))),
+            recipe("flowers", (x, z) -> clear(x, z, 1.2) * patches(x, z, 17, 0.62)),
+            recipe("forest", (x, z) -> clear(x, z, 2) * Math.max(patches(x, z, 34, 0.52), rim(x, z))));
+
+    /** A round place to keep free. */
+    private record Place(double x, double z, double radius) {}
+
+    /** Start, gate, temple, basin, top of the hill, goal; then the paths between them. */
+    private static final List<Place> PLACES = List.of(
+            new Place(0, 60, 8.5),
+            new Place(7, 50, 5),
+            new Place(8, -24, 9),
+            new Place(-27, -72, 6),
+            new Place(-42, -72, 5),
+            new Place(10, -72, 7),
+            new Place(3, 40, 4),
+            new Place(5, 2, 4),
+            new Place(7, -12, 5),
+            new Place(-9, -16, 4),
+            new Place(-27, -17, 5),
+            new Place(-47, -24, 6),
+            new Place(-58, -48, 7),
+            new Place(-50, -68, 4));
+
     private final SeededNoise noise = new SeededNoise(SEED);
 
     private StonesMap() {}
@@ -34,15 +68,15 @@ public final class StonesMap {
         float[] heights = new float[SIDE * SIDE];
         IntStream.range(0, SIDE).parallel().forEach(row -> {
             for (int column = 0; column < SIDE; column++) {
-                double metres = map.metres(place(column), place(row));
+                double metres = map.metres(place(column, SIDE), place(row, SIDE));
                 heights[row * SIDE + column] = (float) (metres / MOST_METRES);
             }
         });
         return heights;
     }
 
-    private static double place(int index) {
-        return 2 * HALF_METRES * index / (SIDE - 1) - HALF_METRES;
+    private static double place(int index, int side) {
+        return 2 * HALF_METRES * index / (side - 1) - HALF_METRES;
     }
 
     private double metres(double x, double z) {
@@ -122,5 +156,40 @@ public final class StonesMap {
 
     private static double mix(double a, double b, double t) {
         return a + (b - a) * t;
+    }
+
+    private static PictureRecipe recipe(String name, DoubleBinaryOperator density) {
+        return new PictureRecipe("terrain/stones-" + name + ".png", () -> picture(density));
+    }
+
+    private static BufferedImage picture(DoubleBinaryOperator density) {
+        BufferedImage picture = new BufferedImage(GROWTH_SIDE, GROWTH_SIDE, BufferedImage.TYPE_INT_RGB);
+        for (int row = 0; row < GROWTH_SIDE; row++) {
+            for (int column = 0; column < GROWTH_SIDE; column++) {
+                double grey = 255 * density.applyAsDouble(place(column, GROWTH_SIDE), place(row, GROWTH_SIDE));
+                picture.setRGB(column, row, 0x010101 * (int) Math.round(Math.max(0, Math.min(255, grey))));
+            }
+        }
+        return picture;
+    }
+
+    private static double clear(double x, double z, double margins) {
+        double clear = 1;
+        for (Place place : PLACES) {
+            double distance = Math.sqrt((x - place.x) * (x - place.x) + (z - place.z) * (z - place.z));
+            clear *= ramp((distance - place.radius * (0.5 + 0.5 * margins)) / 5);
+        }
+        return clear;
+    }
+
+    private static double patches(double x, double z, double metres, double threshold) {
+        double coarse = GROWTH_NOISE.at(x / metres, z / metres, 0.5);
+        double fine = GROWTH_NOISE.at(2.7 * x / metres, 2.7 * z / metres, 5.5);
+        return ramp((0.7 * coarse + 0.3 * fine - threshold) / 0.16);
+    }
+
+    private static double rim(double x, double z) {
+        double round = Math.sqrt(Math.sqrt(x * x * x * x + z * z * z * z));
+        return ramp((round - 84) / 16);
     }
 }

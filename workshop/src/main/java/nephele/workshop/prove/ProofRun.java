@@ -19,14 +19,14 @@ import nephele.workshop.prove.proof.ProofResult;
 
 /** Runs one proof batch by batch from its last state, saves the state after each batch, and shows the progress. */
 public final class ProofRun {
-    private static final long SHOW_EVERY_NANOS = 2_000_000_000L;
+    private static final long PRINT_EVERY_NANOS = 2_000_000_000L;
 
     private final Proof proof;
     private final Path stateFolder;
     private final Shard shard;
     private final Path stateFile;
     private final PrintStream progressTo;
-    private long lastShownNanos = System.nanoTime();
+    private long lastPrintedNanos = System.nanoTime();
 
     public ProofRun(Proof proof, Path stateFolder, PrintStream progressTo) {
         this(proof, stateFolder, Shard.WHOLE, progressTo);
@@ -82,7 +82,7 @@ public final class ProofRun {
         while (soFar.units() < count) {
             long done = soFar.units();
             long batch = Math.min(proof.claim().batch(), count - done);
-            var found = proof.run(first + done, batch, shown(done, count));
+            var found = proof.run(first + done, batch, printed(done, count));
             if (found.units() != batch) {
                 throw new IllegalStateException(proof.claim().name() + " ran " + found.units() + " of " + batch + " "
                         + proof.claim().unit());
@@ -93,11 +93,11 @@ public final class ProofRun {
         return proof.judged(soFar);
     }
 
-    private Proof.Progress shown(long from, long count) {
+    private Proof.Progress printed(long from, long count) {
         return new Proof.Progress() {
             @Override
             public void unitsDone(long done) {
-                show(from + done, count);
+                print(from + done, count);
             }
 
             @Override
@@ -109,13 +109,13 @@ public final class ProofRun {
 
     /** Runs some units alone without saving the result. */
     public ProofResult alone(long from, long count) throws Exception {
-        return proof.judged(proof.run(from, count, shown(0, count)));
+        return proof.judged(proof.run(from, count, printed(0, count)));
     }
 
-    private void show(long done, long count) {
+    private void print(long done, long count) {
         long now = System.nanoTime();
-        if (now - lastShownNanos > SHOW_EVERY_NANOS) {
-            lastShownNanos = now;
+        if (now - lastPrintedNanos > PRINT_EVERY_NANOS) {
+            lastPrintedNanos = now;
             progressTo.printf(
                     "%s: %,d of %,d %s%n",
                     proof.claim().name(), done, count, proof.claim().unit());

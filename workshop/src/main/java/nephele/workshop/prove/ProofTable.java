@@ -16,8 +16,8 @@ import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
 /**
- * The file docs/proofs.md: one row a proof; failing rows first, then those that state a part of their count, else in the order of
- * {@link Proofs#ALL}. A new result replaces the old row.
+ * The file docs/proofs.md: one row a proof; failing rows first, then those that state a part of their count, else in the
+ * order of {@link Proofs#ALL}. A new result replaces the old row.
  */
 public final class ProofTable {
     private static final String HEAD =
@@ -38,14 +38,15 @@ public final class ProofTable {
         this.file = file;
     }
 
-    /** The place and time of a result. */
-    public record Circumstances(String date, String commit, String machine) {}
-
-    /** Writes the result into the table in place of the proof's earlier row. */
-    public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
+    /**
+     * Writes the result into the table in place of the proof's earlier row.
+     *
+     * @param date of the result, {@code commit} and {@code machine} likewise
+     */
+    public void write(Proof proof, ProofResult result, String date, String commit, String machine) throws IOException {
         var rows = rows();
         rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
-        rows.add(row(proof, result, found));
+        rows.add(row(proof, result, date, commit, machine));
         var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
         rows.sort(Comparator.comparingInt(ProofTable::rank).thenComparingInt(row -> place(order.indexOf(nameOf(row)))));
         AtomicFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
@@ -74,7 +75,7 @@ public final class ProofTable {
         return row.split("\\|")[1].strip();
     }
 
-    private static String row(Proof proof, ProofResult result, Circumstances found) {
+    private static String row(Proof proof, ProofResult result, String date, String commit, String machine) {
         var figures = result.figures().stream().map(ProofTable::text).collect(Collectors.joining("; "));
         return "| "
                 + String.join(
@@ -84,9 +85,9 @@ public final class ProofTable {
                         count(proof, result),
                         Long.toString(result.failures()),
                         figures,
-                        found.date(),
-                        found.commit(),
-                        found.machine())
+                        date,
+                        commit,
+                        machine)
                 + " |";
     }
 

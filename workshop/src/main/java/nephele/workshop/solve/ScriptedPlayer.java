@@ -1,6 +1,7 @@
 package nephele.workshop.solve;
 
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
@@ -22,7 +23,7 @@ public final class ScriptedPlayer {
     /** The fastest turn, an unhurried one: 216° a second at 120 ticks a second. */
     private static final int MOST_TURN_MILLIDEGREES = 1800;
     /** The fraction of the remaining angle that is turned in a tick, so that a turn ends smoothly. */
-    private static final double TURN_SHARE = 0.06;
+    private static final double TURN_FRACTION = 0.06;
 
     private static final int LEAST_TURN_MILLIDEGREES = 40;
     private static final int MOST_TICKS_OF_AN_ACT = 2400;
@@ -90,7 +91,7 @@ public final class ScriptedPlayer {
 
     private static int part(int wholeMillidegrees) {
         int most = Math.min(MOST_TURN_MILLIDEGREES, Math.max(LEAST_TURN_MILLIDEGREES, (int)
-                Math.abs(wholeMillidegrees * TURN_SHARE)));
+                Math.abs(wholeMillidegrees * TURN_FRACTION)));
         return Math.max(-most, Math.min(most, wholeMillidegrees));
     }
 
@@ -126,16 +127,12 @@ public final class ScriptedPlayer {
         return lookAt(at).pause(0.15).press(trigger).pause(0.35);
     }
 
-    private interface NextInput {
-        PlayerInput next();
-    }
-
-    private ScriptedPlayer until(NextInput input, Predicate<PlayerState> done, String act) {
+    private ScriptedPlayer until(Supplier<PlayerInput> input, Predicate<PlayerState> done, String act) {
         for (int i = 0; i < MOST_TICKS_OF_AN_ACT; i++) {
             if (done.test(state.player())) {
                 return this;
             }
-            tick(input.next());
+            tick(input.get());
         }
         throw new IllegalStateException(
                 "cannot " + act + ": stands at " + state.player().feet() + " after " + state.tick() + " ticks");

@@ -6,9 +6,9 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 /** A title and a line in the upper part of the picture, or in the lower one. Lengths are in points. */
 final class BannerPanel {
     /** Places of the upper edge in the picture's height: the usual one, and as low as the room allows. */
-    static final double UPPER_SHARE = 0.12;
+    static final double UPPER_FRACTION = 0.12;
 
-    static final double LOWEST_SHARE = 1;
+    static final double LOWEST_FRACTION = 1;
 
     private static final double TITLE_EM = 36;
     private static final double LINE_EM = 20;
@@ -24,10 +24,10 @@ final class BannerPanel {
     private final Box box;
 
     /** @param room where it may be; a long line is broken, and a banner that is higher or wider still is smaller */
-    BannerPanel(OverlayCanvas canvas, Area area, Box room, HudContent.Banner banner, double topShare) {
+    BannerPanel(OverlayCanvas canvas, Area area, Box room, HudContent.Banner banner, double topFraction) {
         this.banner = banner;
         usual = Math.min(1, Math.max(LEAST_SCALE, area.height() / FULL_SIZE_HEIGHT));
-        lines = TextLines.of(canvas, LINE_EM, Math.max(LINE_EM, room.width() / usual - 4 * PADDING), banner.line());
+        lines = TextLines.broken(canvas, LINE_EM, Math.max(LINE_EM, room.width() / usual - 4 * PADDING), banner.line());
         double widest = canvas.width(TITLE_EM, banner.title());
         for (String line : lines) {
             widest = Math.max(widest, canvas.width(LINE_EM, line));
@@ -38,7 +38,7 @@ final class BannerPanel {
         double width = scale * (widest + 2 * PADDING);
         double left = room.leftOf(width, area.centreX());
         double top =
-                Math.max(room.top(), Math.min(Math.rint(topShare * area.height()), room.bottom() - scale * height));
+                Math.max(room.top(), Math.min(Math.rint(topFraction * area.height()), room.bottom() - scale * height));
         box = new Box(left, top, left + width, top + scale * height);
     }
 

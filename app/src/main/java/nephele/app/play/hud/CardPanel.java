@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /**
- * What is told of the selected entry beside the menu: a picture, facts, then a text, which is smaller and in the end cut
+ * Draws the card of the selected entry beside the menu: a picture, facts, then a text, which is smaller and in the end cut
  * where there is no room. Lengths are in points.
  */
 final class CardPanel {
@@ -35,8 +35,8 @@ final class CardPanel {
                 ? 0
                 : WIDTH * card.picture().height() / card.picture().width();
         double factsHeight = card.facts().size() * FACT_HEIGHT;
-        Text text = fitting(canvas, room / scale - 3 - pictureHeight - factsHeight - 2 * PADDING);
-        double textHeight = text.lines.size() * text.em * LINE_EMS;
+        TextLines text = fitting(canvas, room / scale - 3 - pictureHeight - factsHeight - 2 * PADDING);
+        double textHeight = text.lines().size() * text.em() * LINE_EMS;
         double between = factsHeight > 0 && textHeight > 0 ? GAP : 0;
         double below = factsHeight + between + textHeight;
         double panel = below > 0 ? below + 2 * PADDING : 0;
@@ -51,9 +51,9 @@ final class CardPanel {
             y += scale * FACT_HEIGHT;
         }
         y += scale * between;
-        for (String line : text.lines) {
-            canvas.text(x + scale * PADDING, y + scale * text.em, scale * text.em, HudPalette.INK, line);
-            y += scale * text.em * LINE_EMS;
+        for (String line : text.lines()) {
+            canvas.text(x + scale * PADDING, y + scale * text.em(), scale * text.em(), HudPalette.INK, line);
+            y += scale * text.em() * LINE_EMS;
         }
     }
 
@@ -72,27 +72,25 @@ final class CardPanel {
         canvas.text(right - Math.min(width, room), baseline, em, HudPalette.INK, fact.value());
     }
 
-    private record Text(double em, List<String> lines) {}
-
     /** Returns the text in the largest letters that fit; cut if even the smallest do not. */
-    private Text fitting(OverlayCanvas canvas, double height) {
+    private TextLines fitting(OverlayCanvas canvas, double height) {
         if (card.text().isEmpty()) {
-            return new Text(TEXT_EM, List.of());
+            return new TextLines(TEXT_EM, List.of());
         }
         for (double em = TEXT_EM; ; em -= 1) {
             List<String> lines = new ArrayList<>();
             for (String paragraph : card.text().split("\n")) {
-                lines.addAll(TextLines.of(canvas, em, WIDTH - 2 * PADDING, paragraph));
+                lines.addAll(TextLines.broken(canvas, em, WIDTH - 2 * PADDING, paragraph));
             }
             int most = Math.max(1, (int) (height / (em * LINE_EMS)));
             if (lines.size() <= most) {
-                return new Text(em, lines);
+                return new TextLines(em, lines);
             }
             if (em <= LEAST_EM) {
                 List<String> cut = new ArrayList<>(lines.subList(0, most));
                 String last = cut.get(most - 1);
                 cut.set(most - 1, last.substring(0, Math.max(0, last.length() - CUT.length())) + CUT);
-                return new Text(em, cut);
+                return new TextLines(em, cut);
             }
         }
     }

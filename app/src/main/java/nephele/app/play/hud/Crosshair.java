@@ -1,10 +1,9 @@
 package nephele.app.play.hud;
 
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 import nephele.host.playthrough.CrosshairState;
 import nephele.host.playthrough.CrosshairState.Half;
-import nephele.host.playthrough.CrosshairState.Portal;
 import nephele.host.playthrough.CrosshairState.Shot;
 
 /**
@@ -51,36 +50,27 @@ final class Crosshair {
             return;
         }
         bar(canvas, x - DOT / 2, y - DOT / 2, DOT, DOT);
-        half(
-                canvas,
-                x - APART - RADIUS,
-                y,
-                crosshair.first(),
-                new Face(
-                        "\ue000", "\ue002", OverlayColour.opaque(sight.palette().overlay(0))));
-        half(
-                canvas,
-                x + APART,
-                y,
-                crosshair.second(),
-                new Face(
-                        "\ue001", "\ue003", OverlayColour.opaque(sight.palette().overlay(1))));
-        if (crosshair.first().shot() == Shot.REFUSED) {
+        Half first = crosshair.first();
+        Half second = crosshair.second();
+        half(canvas, x - APART - RADIUS, y, first, first.isMade() ? "\ue002" : "\ue000", colour(sight, 0));
+        half(canvas, x + APART, y, second, second.isMade() ? "\ue003" : "\ue001", colour(sight, 1));
+        if (first.shot() == Shot.REFUSED) {
             cross(canvas, x - APART - RADIUS - CROSS_GAP - CROSS_WIDTH, y);
         }
-        if (crosshair.second().shot() == Shot.REFUSED) {
+        if (second.shot() == Shot.REFUSED) {
             cross(canvas, x + APART + RADIUS + CROSS_GAP, y);
         }
     }
 
-    /** The glyphs of a half ring. */
-    private record Face(String hollow, String filled, OverlayColour colour) {}
+    private static DisplayColour colour(HudContent.Sight sight, int shot) {
+        return DisplayColour.opaque(sight.palette().overlay(shot));
+    }
 
-    private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {
-        String letter = half.portal() == Portal.MADE ? face.filled : face.hollow;
+    /** @param glyph a half ring, filled or hollow */
+    private static void half(
+            OverlayCanvas canvas, double left, double y, Half half, String glyph, DisplayColour colour) {
         boolean opens = half.shot() == Shot.OPENS;
-        OverlayColour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
-        edged(canvas, left, y + RISE, EM, colour, letter);
+        edged(canvas, left, y + RISE, EM, opens ? colour : colour.withAlpha(REFUSED_ALPHA), glyph);
     }
 
     private static void cross(OverlayCanvas canvas, double left, double y) {
@@ -88,7 +78,7 @@ final class Crosshair {
     }
 
     private static void edged(
-            OverlayCanvas canvas, double x, double baseline, double em, OverlayColour colour, String letter) {
+            OverlayCanvas canvas, double x, double baseline, double em, DisplayColour colour, String letter) {
         canvas.text(x - EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x + EDGE, baseline, em, HudPalette.SHADOW, letter);
         canvas.text(x, baseline - EDGE, em, HudPalette.SHADOW, letter);

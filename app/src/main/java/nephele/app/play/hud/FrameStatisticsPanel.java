@@ -11,8 +11,8 @@ final class FrameStatisticsPanel {
     private static final double GAP = 8;
     private static final double LINE_HEIGHT = 21;
     private static final double EM = 16;
-    /** The greatest share of the picture's width, so that the crosshair and what is beside the panel have room. */
-    private static final double MOST_SHARE = 0.4;
+    /** The greatest fraction of the picture's width, so that the crosshair and what is beside the panel have room. */
+    private static final double MOST_FRACTION = 0.4;
 
     private final List<HudContent.Figure> figures;
     private final double scale;
@@ -21,7 +21,7 @@ final class FrameStatisticsPanel {
     FrameStatisticsPanel(Area area, List<HudContent.Figure> figures) {
         this.figures = figures;
         double fitting = area.height() / (height() + 2 * MARGIN);
-        scale = Math.min(1, Math.min(fitting, MOST_SHARE * area.width() / (MARGIN + WIDTH)));
+        scale = Math.min(1, Math.min(fitting, MOST_FRACTION * area.width() / (MARGIN + WIDTH)));
     }
 
     private double height() {

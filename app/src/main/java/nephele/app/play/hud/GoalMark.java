@@ -10,11 +10,11 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
  * @param half half the side of the brackets
  */
 public record GoalMark(double right, double down, String arrow, double half, long metres) {
-    private static final double SIDE_SHARE = 0.44;
-    private static final double UPPER_SHARE = 0.26;
-    private static final double LOWER_SHARE = 0.16;
+    private static final double SIDE_FRACTION = 0.44;
+    private static final double UPPER_FRACTION = 0.26;
+    private static final double LOWER_FRACTION = 0.16;
     private static final double LEAST_HALF = 12;
-    private static final double MOST_HALF_SHARE = 0.14;
+    private static final double MOST_HALF_FRACTION = 0.14;
     private static final double EM = 18;
     private static final double PADDING = 6;
     private static final double WIDTH = 3;
@@ -28,9 +28,9 @@ public record GoalMark(double right, double down, String arrow, double half, lon
      * @param isAhead false if the goal is behind the eye; then only the signs of its place hold
      */
     public static GoalMark at(Area area, boolean isAhead, double right, double down, double half, long metres) {
-        double side = SIDE_SHARE * area.width();
-        double upper = -UPPER_SHARE * area.height();
-        double lower = LOWER_SHARE * area.height();
+        double side = SIDE_FRACTION * area.width();
+        double upper = -UPPER_FRACTION * area.height();
+        double lower = LOWER_FRACTION * area.height();
         if (!isAhead) {
             return new GoalMark(right < 0 ? -side : side, 0, right < 0 ? "←" : "→", 0, metres);
         }
@@ -41,7 +41,7 @@ public record GoalMark(double right, double down, String arrow, double half, lon
         } else if (down < upper || down > lower) {
             return new GoalMark(x, y, down < 0 ? "↑" : "↓", 0, metres);
         }
-        double shown = Math.max(LEAST_HALF, Math.min(MOST_HALF_SHARE * area.height(), half));
+        double shown = Math.max(LEAST_HALF, Math.min(MOST_HALF_FRACTION * area.height(), half));
         return new GoalMark(x, y, "", halves(shown), metres);
     }
 

@@ -86,10 +86,10 @@ final class HelpPanel {
     /** Draws the goal in at most two lines; a longer one is smaller. */
     private static void goal(OverlayCanvas canvas, double x, double baseline, double scale, String text) {
         double em = scale * EM;
-        List<String> lines = TextLines.of(canvas, em, scale * (WIDTH - 2 * PADDING), text);
+        List<String> lines = TextLines.broken(canvas, em, scale * (WIDTH - 2 * PADDING), text);
         while (lines.size() > GOAL_ROWS) {
             em *= SMALLER;
-            lines = TextLines.of(canvas, em, scale * (WIDTH - 2 * PADDING), text);
+            lines = TextLines.broken(canvas, em, scale * (WIDTH - 2 * PADDING), text);
         }
         for (int i = 0; i < lines.size(); i++) {
             canvas.text(x, baseline - 0.25 * scale * ROW_HEIGHT + i * 1.2 * em, em, HudPalette.INK, lines.get(i));

@@ -3,21 +3,21 @@ package nephele.app.play.hud;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** Updates the overlay's canvas; fills it again only when content, size or scale have changed. */
 public final class Hud {
     private static final double BESIDE_FIGURES = 8;
-    private static final double UNDER_BANNER_SHARE = 0.02;
+    private static final double UNDER_BANNER_FRACTION = 0.02;
 
     private final OverlayCanvas canvas;
     private HudContent shown;
     private Area shownArea;
     private double shownScale;
 
-    public Hud(Lettering lettering) {
-        canvas = new OverlayCanvas(lettering);
+    public Hud(FontAtlas letters) {
+        canvas = new OverlayCanvas(letters);
     }
 
     /** Returns the canvas for this content on a picture of this size. */
@@ -133,21 +133,21 @@ public final class Hud {
 
         /** Adds a banner; below the crosshair if there is room and a goal is marked, which is seldom that low. */
         void addBanner(HudContent.Banner banner, HudContent.Sight sight) {
-            BannerPanel panel = banner(roomOfBanner, banner, BannerPanel.UPPER_SHARE);
+            BannerPanel panel = banner(roomOfBanner, banner, BannerPanel.UPPER_FRACTION);
             if (sight != null && sight.goal() != null) {
                 double bottom = Math.min(room.bottom(), roomOfBanner.bottom());
                 Box free = roomOfBanner
                         .below(Crosshair.box(area, sight).bottom())
-                        .above(bottom - Math.rint(UNDER_BANNER_SHARE * area.height()));
-                BannerPanel low = banner(free, banner, BannerPanel.LOWEST_SHARE);
+                        .above(bottom - Math.rint(UNDER_BANNER_FRACTION * area.height()));
+                BannerPanel low = banner(free, banner, BannerPanel.LOWEST_FRACTION);
                 panel = low.isWhole() ? low : panel;
             }
             BannerPanel placed = panel;
             parts.add(new Part("banner", placed.box(), () -> placed.draw(canvas)));
         }
 
-        private BannerPanel banner(Box within, HudContent.Banner banner, double topShare) {
-            return apart(within, free -> new BannerPanel(canvas, area, free, banner, topShare), BannerPanel::box);
+        private BannerPanel banner(Box within, HudContent.Banner banner, double topFraction) {
+            return apart(within, free -> new BannerPanel(canvas, area, free, banner, topFraction), BannerPanel::box);
         }
 
         /** Returns what is placed in a room; beside the figures if it would cover them otherwise. */

@@ -86,9 +86,10 @@ public record HudContent(
             if (device == Input.Device.GAMEPAD) {
                 return "L";
             }
-            List<Control> ways = List.of(Control.FORWARD, Control.LEFT, Control.BACK, Control.RIGHT);
-            boolean hasAll = ways.stream().noneMatch(way -> bindings.keys(way).isEmpty());
-            return hasAll ? ways.stream().map(this::inSentence).collect(Collectors.joining(" ")) : "";
+            List<Control> directions = List.of(Control.FORWARD, Control.LEFT, Control.BACK, Control.RIGHT);
+            boolean hasAll = directions.stream()
+                    .noneMatch(direction -> bindings.keys(direction).isEmpty());
+            return hasAll ? directions.stream().map(this::inSentence).collect(Collectors.joining(" ")) : "";
         }
 
         /** Returns the meaning of a control. */

@@ -61,7 +61,7 @@ public record Menu(
     }
 
     /**
-     * What is told of an entry beside the menu.
+     * The details of an entry, beside the menu.
      *
      * @param picture {@code null} for none
      * @param text below the facts; its line ends begin new paragraphs
@@ -112,10 +112,16 @@ public record Menu(
 
     /** A choice of the player. */
     public sealed interface Choice {
-        /** Returns to the running level. */
-        record Resume() implements Choice {}
-
-        record Restart() implements Choice {}
+        /** A choice that is the same wherever it is made. */
+        enum Plain implements Choice {
+            /** Returns to the running level. */
+            RESUME,
+            RESTART,
+            TO_TITLE,
+            /** Returns to the page before. */
+            BACK,
+            QUIT
+        }
 
         /** Starts a level from its beginning. */
         record Play(LevelName level) implements Choice {}
@@ -142,13 +148,6 @@ public record Menu(
 
         /** Waits for a key that becomes the control's first one. */
         record Bind(Control control) implements Choice {}
-
-        record ToTitle() implements Choice {}
-
-        /** Returns to the page before. */
-        record Back() implements Choice {}
-
-        record Quit() implements Choice {}
     }
 
     public Menu {

@@ -1,9 +1,8 @@
 package nephele.app.play.hud;
 
-import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The menu in the middle of the picture. Lengths are in points. A low window shrinks the panel, down to a scale at
@@ -19,10 +18,10 @@ public final class MenuPanel {
     private static final double ROW_HEIGHT = 44;
     private static final double ROW_EM = 22;
     /** The most that a label takes of a row with a value. */
-    private static final double LABEL_SHARE = 0.72;
+    private static final double LABEL_FRACTION = 0.72;
 
     /** The size of a value in relation to its label's. */
-    private static final double VALUE_SHARE = 0.85;
+    private static final double VALUE_FRACTION = 0.85;
     /** The estimated mean width of a letter, in ems. */
     private static final double LETTER_EMS = 0.5;
 
@@ -31,7 +30,6 @@ public final class MenuPanel {
     private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
     private static final double LEAST_FOOT_EM = 10;
-    private static final String CUT = " …";
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
     /** The height for the lines of a message: from the entries to the panel's edge, less what hangs below a line. */
@@ -89,7 +87,7 @@ public final class MenuPanel {
     /** Returns the step of a setting for a click: back (−1) on the left half of its value, forward elsewhere. */
     public int stepAt(int row, double x) {
         double width = scale
-                * VALUE_SHARE
+                * VALUE_FRACTION
                 * ROW_EM
                 * LETTER_EMS
                 * menu.entries().get(row).value().length();
@@ -102,8 +100,8 @@ public final class MenuPanel {
         draw(canvas, menu.foot(), HudPalette.QUIET_INK);
     }
 
-    /** @param foot the text below the entries, see {@link Foot} */
-    void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
+    /** @param foot the text below the entries, see {@link #foot} */
+    void draw(OverlayCanvas canvas, String foot, DisplayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
         canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
@@ -139,10 +137,11 @@ public final class MenuPanel {
         canvas.rectangle(x, y + scale * GAP / 2, scale * (WIDTH - 2 * PADDING - GAP), 1, HudPalette.SELECTED);
         double em = HELP_EM;
         List<String> lines =
-                TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+                TextLines.broken(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
         if (lines.size() > HELP_LINES) {
             em = HELP_EM * HELP_LINES / (HELP_LINES + 0.5);
-            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
+            lines = TextLines.broken(
+                    canvas, em, WIDTH - 2 * PADDING, menu.entry().help());
         }
         double line = (HELP_HEIGHT - GAP) / Math.max(HELP_LINES, lines.size());
         double baseline = y + scale * (GAP + em);
@@ -153,47 +152,36 @@ public final class MenuPanel {
     }
 
     /**
-     * The lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's lower
-     * edge; the end of one that is too long even for the smallest letters is cut.
+     * Returns the lines of a foot. Those of a message begin right below the entries, as large as fits above the panel's
+     * lower edge; the end of one that is too long even for the smallest letters is cut.
      */
-    record Foot(List<String> lines, double em, double firstBaseline) {
-        static Foot of(OverlayCanvas canvas, String text) {
-            double width = WIDTH - 2 * PADDING;
-            List<String> lines = TextLines.of(canvas, FOOT_EM, width, text);
-            if (lines.size() <= FOOT_LINES) {
-                return new Foot(lines, FOOT_EM, FOOT_HEIGHT);
-            }
-            double em = FOOT_EM;
-            while (em > LEAST_FOOT_EM && lines.size() > mostLines(em)) {
-                em--;
-                lines = TextLines.of(canvas, em, width, text);
-            }
-            return new Foot(cut(canvas, em, width, lines), em, em);
+    static TextLines foot(OverlayCanvas canvas, String text) {
+        double width = WIDTH - 2 * PADDING;
+        List<String> lines = TextLines.broken(canvas, FOOT_EM, width, text);
+        if (lines.size() <= FOOT_LINES) {
+            return new TextLines(FOOT_EM, lines);
         }
-
-        private static int mostLines(double em) {
-            return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
+        double em = FOOT_EM;
+        while (em > LEAST_FOOT_EM && lines.size() > mostFootLines(em)) {
+            em--;
+            lines = TextLines.broken(canvas, em, width, text);
         }
-
-        private static List<String> cut(OverlayCanvas canvas, double em, double width, List<String> whole) {
-            int most = mostLines(em);
-            if (whole.size() <= most) {
-                return whole;
-            }
-            List<String> shown = new ArrayList<>(whole.subList(0, most));
-            String last = shown.get(most - 1);
-            while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
-                last = last.substring(0, last.length() - 1);
-            }
-            shown.set(most - 1, last + CUT);
-            return shown;
-        }
+        return new TextLines(em, TextLines.first(canvas, em, width, lines, mostFootLines(em)));
     }
 
-    private void drawFoot(OverlayCanvas canvas, double x, String text, OverlayColour ink) {
-        Foot foot = Foot.of(canvas, text);
+    private static int mostFootLines(double em) {
+        return (int) (FOOT_ROOM / (em * FOOT_LINE_EMS));
+    }
+
+    /** Returns the distance of a foot's first baseline from the entries. */
+    static double firstBaseline(TextLines foot) {
+        return foot.lines().size() <= FOOT_LINES ? FOOT_HEIGHT : foot.em();
+    }
+
+    private void drawFoot(OverlayCanvas canvas, double x, String text, DisplayColour ink) {
+        TextLines foot = foot(canvas, text);
         double rowsEnd = firstRow() + scale * (visibleRows * ROW_HEIGHT + helpHeight());
-        double baseline = rowsEnd + scale * foot.firstBaseline();
+        double baseline = rowsEnd + scale * firstBaseline(foot);
         for (String line : foot.lines()) {
             canvas.text(x, baseline, scale * foot.em(), ink, line);
             baseline += scale * foot.em() * FOOT_LINE_EMS;
@@ -229,11 +217,11 @@ public final class MenuPanel {
         double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
         var entry = menu.entries().get(row);
         var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
-        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_SHARE);
+        double whole = scale * (WIDTH - 2 * PADDING) * (entry.value().isEmpty() ? 1 : LABEL_FRACTION);
         double labelEm = em * Math.min(1, whole / canvas.width(em, entry.label()));
         double end = canvas.text(left() + scale * PADDING, baseline, labelEm, ink, entry.label());
         if (!entry.value().isEmpty()) {
-            double valueEm = VALUE_SHARE * em;
+            double valueEm = VALUE_FRACTION * em;
             double right = left() + scale * (WIDTH - PADDING);
             double room = right - end - scale * GAP;
             double width = canvas.width(valueEm, entry.value());

@@ -13,16 +13,15 @@ final class MessageBar {
     private static final double EM = 19;
     private static final double LINE_HEIGHT = 25;
     private static final double PADDING = 14;
-    private static final double BOTTOM_SHARE = 0.067;
-    private static final double TOP_SHARE = 0.78;
-    private static final double WIDTH_SHARE = 0.9;
+    private static final double BOTTOM_FRACTION = 0.067;
+    private static final double TOP_FRACTION = 0.78;
+    private static final double WIDTH_FRACTION = 0.9;
     private static final double FULL_SIZE_HEIGHT = 540;
     private static final double LEAST_SCALE = 0.65;
     /** The scale of a long message in relation to a short one's. */
     private static final double LEAST_OF_LONG = 0.6;
 
     private static final double STEP = 0.9;
-    private static final String CUT = " …";
 
     private final OverlayCanvas canvas;
     private final Area area;
@@ -56,16 +55,16 @@ final class MessageBar {
     }
 
     private List<String> broken(double at, String message) {
-        return TextLines.of(canvas, at * EM, width(at), message);
+        return TextLines.broken(canvas, at * EM, width(at), message);
     }
 
     /** Returns the greatest width of a line. */
     private double width(double at) {
-        return Math.min(WIDTH_SHARE * area.width(), room.width()) - 2 * at * PADDING;
+        return Math.min(WIDTH_FRACTION * area.width(), room.width()) - 2 * at * PADDING;
     }
 
     private boolean fits(double at, int count) {
-        return bottom() - at * (count * LINE_HEIGHT + 2 * PADDING) >= TOP_SHARE * area.height();
+        return bottom() - at * (count * LINE_HEIGHT + 2 * PADDING) >= TOP_FRACTION * area.height();
     }
 
     private List<String> cut(List<String> whole) {
@@ -73,20 +72,11 @@ final class MessageBar {
         while (fitting > 1 && !fits(scale, fitting)) {
             fitting--;
         }
-        if (fitting == whole.size()) {
-            return whole;
-        }
-        List<String> shown = new ArrayList<>(whole.subList(0, fitting));
-        String last = shown.get(fitting - 1);
-        while (!last.isEmpty() && canvas.width(scale * EM, last + CUT) > width(scale)) {
-            last = last.substring(0, last.length() - 1);
-        }
-        shown.set(fitting - 1, last + CUT);
-        return shown;
+        return TextLines.first(canvas, scale * EM, width(scale), whole, fitting);
     }
 
     private double bottom() {
-        return Math.min(room.bottom(), Math.rint((1 - BOTTOM_SHARE) * area.height()));
+        return Math.min(room.bottom(), Math.rint((1 - BOTTOM_FRACTION) * area.height()));
     }
 
     Box box() {

@@ -6,7 +6,7 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 final class PromptLine {
     private static final double EM = 20;
     private static final double PADDING = 10;
-    private static final double BELOW_CENTRE_SHARE = 0.16;
+    private static final double BELOW_CENTRE_FRACTION = 0.16;
     private static final double FULL_SIZE_HEIGHT = 540;
     private static final double LEAST_SCALE = 0.65;
 
@@ -21,7 +21,7 @@ final class PromptLine {
         double low = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
         scale = Math.min(low, room.width() / full);
         double left = room.leftOf(scale * full, area.centreX());
-        double top = Math.rint(area.centreY() + BELOW_CENTRE_SHARE * area.height());
+        double top = Math.rint(area.centreY() + BELOW_CENTRE_FRACTION * area.height());
         box = new Box(left, top, left + scale * full, top + scale * (EM + 2 * PADDING));
     }
 

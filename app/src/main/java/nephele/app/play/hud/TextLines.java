@@ -4,12 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** Breaks text into lines of a width. */
-final class TextLines {
-    private TextLines() {}
+/**
+ * Lines of text, broken to a width.
+ *
+ * @param em the size of their letters
+ */
+record TextLines(double em, List<String> lines) {
+    private static final String CUT = " …";
 
     /** Returns lines broken at spaces, and inside of words that are wider than a line (paths). */
-    static List<String> of(OverlayCanvas canvas, double em, double width, String text) {
+    static List<String> broken(OverlayCanvas canvas, double em, double width, String text) {
         List<String> lines = new ArrayList<>();
         double space = canvas.width(em, " ");
         String line = "";
@@ -35,6 +39,20 @@ final class TextLines {
         }
         lines.add(line);
         return lines;
+    }
+
+    /** Returns the first lines; if there are more, the end of the last one is cut and says so. */
+    static List<String> first(OverlayCanvas canvas, double em, double width, List<String> lines, int most) {
+        if (lines.size() <= most) {
+            return lines;
+        }
+        List<String> kept = new ArrayList<>(lines.subList(0, most));
+        String last = kept.get(most - 1);
+        while (!last.isEmpty() && canvas.width(em, last + CUT) > width) {
+            last = last.substring(0, last.length() - 1);
+        }
+        kept.set(most - 1, last + CUT);
+        return kept;
     }
 
     /** Returns the number of letters that fit, at least one. */

@@ -15,7 +15,7 @@ final class WipeLine {
     private static final String ARROWS = "‹ ›";
     private static final double ARROW_EM = 17;
     /** The handle's place: above the crosshair. */
-    private static final double HANDLE_SHARE = 0.34;
+    private static final double HANDLE_FRACTION = 0.34;
     /** Half the height of the gap for the crosshair. */
     private static final double GAP = 26;
 
@@ -47,7 +47,7 @@ final class WipeLine {
         this.room = room;
         this.comparison = comparison;
         scale = Math.max(LEAST_SCALE, Math.min(1, area.height() / FULL_SIZE_HEIGHT));
-        x = comparison.wipe().share() * area.width();
+        x = comparison.wipe().fraction() * area.width();
     }
 
     /** @param sight the crosshair, for which the line has a gap; {@code null} for none */
@@ -66,7 +66,7 @@ final class WipeLine {
         double width = scale * HANDLE_WIDTH + 2 * EDGE;
         double height = scale * HANDLE_HEIGHT + 2 * EDGE;
         double left = Math.max(room.left(), Math.min(x - width / 2, room.right() - width));
-        double top = HANDLE_SHARE * area.height() - height / 2;
+        double top = HANDLE_FRACTION * area.height() - height / 2;
         return new Box(left, top, left + width, top + height);
     }
 

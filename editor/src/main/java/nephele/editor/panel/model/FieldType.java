@@ -7,12 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.record.FieldKind;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.text.ChoiceWord;
+import nephele.editor.text.FieldWords;
 import nephele.editor.text.Limits;
 import nephele.editor.text.Words;
 import nephele.engine.level.Exposure;
@@ -99,7 +98,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
                 : field.written().absent();
     }
 
-    /** Returns a value for a place that had none; a reference names what {@link Completion} makes of it. */
+    /** Returns a value for a place that had none; a reference names what {@link AddedRecord} makes of it. */
     public Object freshValue() {
         if (!isEntry() && field.written().prototype() != null) {
             return field.written().prototype();
@@ -116,7 +115,7 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
             case CHOICE -> choices().get(0);
             case VECTOR -> new Vec3(number, number, number);
             case EXPOSURE -> Exposure.NEUTRAL;
-            case RECORD, VARIANT -> NewRecord.at(kinds().get(0), NEW, Vec3.ZERO);
+            case RECORD, VARIANT -> AddedRecord.at(kinds().get(0), NEW, Vec3.ZERO);
             case LIST -> List.of();
             case TABLE -> Map.of();
         };
@@ -162,7 +161,8 @@ public record FieldType(RecordField field, FieldKind kind, Class<?> valueClass) 
                     case TEXT, REFERENCE, ASSET -> Optional.of(text);
                     case CHOICE ->
                         choices().stream()
-                                .filter(choice -> ChoiceWord.of(choice).equals(text.toLowerCase(Locale.ROOT)))
+                                .filter(choice ->
+                                        FieldWords.choiceInFiles(choice).equals(text.toLowerCase(Locale.ROOT)))
                                 .findFirst();
                     case VECTOR -> vector(text);
                     case EXPOSURE ->

@@ -10,12 +10,10 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.FieldKind;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.ListEdit;
 import nephele.editor.record.RecordKind;
 import nephele.editor.text.Words;
@@ -29,19 +27,17 @@ public final class InspectorModel {
     /** The level itself, which is inspected if nothing is selected. */
     public static final List<EntityRef> ROOT = List.of(EntityRef.single(""));
 
-    private final LevelStructure structure;
     private final Entities entities;
 
-    public InspectorModel(LevelStructure structure) {
-        this.structure = structure;
-        entities = new Entities(structure);
+    public InspectorModel(Entities entities) {
+        this.entities = entities;
     }
 
     /** Returns the union of the fields of some records, in the order of the file. */
     public List<InspectorField> fields(Record root, List<EntityRef> refs) {
         List<Record> owners =
                 refs.stream().flatMap(ref -> entities.find(root, ref).stream()).toList();
-        return new FieldUnion(refs, structure).fields(owners);
+        return new FieldUnion(refs, entities).fields(owners);
     }
 
     /** Returns what is wrong with a value for a field. */
@@ -78,7 +74,7 @@ public final class InspectorModel {
     }
 
     private static Record completed(Record before, Record after) {
-        return before instanceof Level old && after instanceof Level level ? Completion.of(old, level) : after;
+        return before instanceof Level old && after instanceof Level level ? AddedRecord.completed(old, level) : after;
     }
 
     /** Returns the root with another kind of record in a field; components of the same name and class stay. */
@@ -87,7 +83,7 @@ public final class InspectorModel {
     }
 
     private static Object converted(Object old, RecordKind kind) {
-        Record made = NewRecord.at(kind, FieldType.NEW, Vec3.ZERO);
+        Record made = AddedRecord.at(kind, FieldType.NEW, Vec3.ZERO);
         if (!(old instanceof Record before)) {
             return made;
         }
@@ -160,7 +156,7 @@ public final class InspectorModel {
 
     /** Returns the ids that a reference may have. */
     public List<String> ids(Record root, String section) {
-        return structure.list(section).stream()
+        return entities.list(section).stream()
                 .flatMap(list -> list.entities(root).stream())
                 .map(RecordKind::id)
                 .toList();

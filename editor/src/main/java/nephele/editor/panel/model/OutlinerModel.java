@@ -11,34 +11,26 @@ import nephele.editor.panel.model.OutlinerRow.State;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
 import nephele.editor.record.RecordKind;
 import nephele.editor.record.SingleSection;
 import nephele.engine.level.EditorNotes;
 
 /** The lines of the outliner: groups, single records, and a section for each list of entities that the structure has. */
 public final class OutlinerModel {
-    /** The inputs of a section's rows; equal inputs give equal rows. */
-    private record Source(List<Record> entities, EntityStatus status, EntityQuery query, boolean isOpen) {
-        boolean isSame(Source other) {
-            return other != null
-                    && entities == other.entities
-                    && isOpen == other.isOpen
-                    && status.equals(other.status)
-                    && query.equals(other.query);
+    /** The rows of a section and their inputs; equal inputs give equal rows. */
+    private record Cached(
+            List<Record> entities, EntityStatus status, EntityQuery query, boolean isOpen, List<OutlinerRow> rows) {
+        boolean isOf(List<Record> others, EntityStatus now, EntityQuery asked, boolean open) {
+            return entities == others && isOpen == open && status.equals(now) && query.equals(asked);
         }
     }
 
-    private record Cached(Source source, List<OutlinerRow> rows) {}
-
-    private final LevelStructure structure;
     private final Entities entities;
     private final Set<String> folded = new HashSet<>();
     private final Map<String, Cached> cache = new HashMap<>();
 
-    public OutlinerModel(LevelStructure structure) {
-        this.structure = structure;
-        entities = new Entities(structure);
+    public OutlinerModel(Entities entities) {
+        this.entities = entities;
     }
 
     /** Folds or unfolds the line with a key. */
@@ -48,16 +40,11 @@ public final class OutlinerModel {
         }
     }
 
-    /** Unfolds the section of an entity. */
-    public void reveal(EntityRef ref) {
-        folded.remove(ref.section());
-    }
-
     /** Returns the lines; with a query, only those of matching entities and no empty sections. */
     public List<OutlinerRow> rows(Record root, EntityStatus status, EntityQuery query) {
         List<OutlinerRow> rows = new ArrayList<>();
         addGroups(rows, root, status, query);
-        for (SingleSection single : structure.singles()) {
+        for (SingleSection single : entities.singles()) {
             if (!single.path().isEmpty() && single.get(root) != null) {
                 EntityRef ref = EntityRef.single(single.path());
                 if (query.matches(ref, single.get(root), status)) {
@@ -65,43 +52,40 @@ public final class OutlinerModel {
                 }
             }
         }
-        for (EntitySection section : structure.lists()) {
+        for (EntitySection section : entities.lists()) {
             rows.addAll(section(section, root, status, query));
         }
         return rows;
     }
 
     private List<OutlinerRow> section(EntitySection section, Record root, EntityStatus status, EntityQuery query) {
-        var source = new Source(section.entities(root), status, query, !folded.contains(section.path()));
+        List<Record> all = section.entities(root);
+        boolean isOpen = !folded.contains(section.path());
         Cached cached = cache.get(section.path());
-        if (cached == null || !source.isSame(cached.source)) {
-            cached = new Cached(source, section(section, source));
+        if (cached == null || !cached.isOf(all, status, query, isOpen)) {
+            cached = new Cached(all, status, query, isOpen, section(section, all, status, query, isOpen));
             cache.put(section.path(), cached);
         }
         return cached.rows;
     }
 
-    private static List<OutlinerRow> section(EntitySection section, Source source) {
+    private static List<OutlinerRow> section(
+            EntitySection section, List<Record> all, EntityStatus status, EntityQuery query, boolean isOpen) {
         List<OutlinerRow> rows = new ArrayList<>();
         List<EntityRef> members = new ArrayList<>();
-        for (Record entity : source.entities) {
+        for (Record entity : all) {
             EntityRef ref = new EntityRef(section.path(), RecordKind.id(entity));
-            if (source.query.matches(ref, entity, source.status)) {
+            if (query.matches(ref, entity, status)) {
                 members.add(ref);
-                rows.add(entity(ref.text(), 1, ref.id(), ref, source.status));
+                rows.add(entity(ref.text(), 1, ref.id(), ref, status));
             }
         }
-        if (members.isEmpty() && !source.query.terms().isEmpty()) {
+        if (members.isEmpty() && !query.terms().isEmpty()) {
             return List.of();
         }
         var head = new OutlinerRow(
-                Kind.SECTION,
-                section.path(),
-                0,
-                section.title(),
-                members,
-                state(source.isOpen, members, source.status));
-        if (!source.isOpen) {
+                Kind.SECTION, section.path(), 0, section.title(), members, state(isOpen, members, status));
+        if (!isOpen) {
             return List.of(head);
         }
         rows.add(0, head);

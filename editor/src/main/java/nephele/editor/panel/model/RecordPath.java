@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
 
-/** The way from a record to a value inside it, through nested records, lists and tables. */
+/** The path from a record to a value inside it, through nested records, lists and tables. */
 public record RecordPath(List<Step> steps) {
     /** The record itself. */
     public static final RecordPath SELF = new RecordPath(List.of());

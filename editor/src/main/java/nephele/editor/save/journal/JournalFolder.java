@@ -140,7 +140,7 @@ public final class JournalFolder {
     private static Optional<RecoverableWork> work(StoredJournal journal, Path log) throws IOException {
         byte[] bytes = AtomicFile.read(log, LONGEST_LOG_BYTES);
         Optional<Path> picture = Optional.of(journal.picture()).filter(Files::isRegularFile);
-        RecoverableWork work = JournalReplay.work(journal, bytes, picture)
+        RecoverableWork work = JournalLog.work(journal, bytes, picture)
                 .orElseThrow(() -> new IOException("its first record is damaged"));
         return work.edits() == 0 || work.level().equals(work.saved()) || isOnDisk(work)
                 ? Optional.empty()
@@ -151,7 +151,7 @@ public final class JournalFolder {
     private static boolean isOnDisk(RecoverableWork work) {
         Optional<Path> file = work.file().path().filter(Files::isRegularFile);
         try {
-            return file.isPresent() && JournalReplay.isSaved(work, AtomicFile.read(file.get(), LONGEST_LEVEL_BYTES));
+            return file.isPresent() && JournalLog.isSaved(work, AtomicFile.read(file.get(), LONGEST_LEVEL_BYTES));
         } catch (IOException unreadable) {
             return false;
         }

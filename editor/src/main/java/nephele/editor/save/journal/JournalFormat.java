@@ -99,9 +99,9 @@ final class JournalFormat {
                 out.writeLong(edit.time().toEpochMilli());
                 out.writeLong(edit.number());
                 text(out, edit.label());
-                out.writeInt(edit.delta().prefix());
-                out.writeInt(edit.delta().suffix());
-                deflated(out, edit.delta().middle());
+                out.writeInt(edit.prefix());
+                out.writeInt(edit.suffix());
+                deflated(out, edit.middle());
             }
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
@@ -117,10 +117,7 @@ final class JournalFormat {
                 case BASE -> Optional.of(new JournalRecord.Base(time, text(in), file(in), inflated(in)));
                 case EDIT ->
                     Optional.of(new JournalRecord.Edit(
-                            time,
-                            in.readLong(),
-                            text(in),
-                            new JournalRecord.TextDelta(in.readInt(), in.readInt(), inflated(in))));
+                            time, in.readLong(), text(in), in.readInt(), in.readInt(), inflated(in)));
                 default -> Optional.empty();
             };
         } catch (IOException | DateTimeException | InvalidPathException damaged) {

@@ -14,19 +14,15 @@ sealed interface JournalRecord {
     record Base(Instant time, String title, DocumentFile file, byte[] text) implements JournalRecord {}
 
     /**
-     * The state after an edit.
+     * The state after an edit: the bytes of the text before that are kept at both ends, and the new ones between them. An
+     * edit in one place of a level is a few lines.
      *
      * @param number of edits since the base, including those whose states were never written
-     * @param delta from the text of the record before
      */
-    record Edit(Instant time, long number, String label, TextDelta delta) implements JournalRecord {}
-
-    /**
-     * The difference of a text from the one before: bytes kept at both ends, and the new ones between them. An edit in one
-     * place of a level is a few lines.
-     */
-    record TextDelta(int prefix, int suffix, byte[] middle) {
-        static TextDelta between(byte[] old, byte[] now) {
+    record Edit(Instant time, long number, String label, int prefix, int suffix, byte[] middle)
+            implements JournalRecord {
+        /** Returns the edit from a text to another. */
+        static Edit of(Instant time, long number, String label, byte[] old, byte[] now) {
             int shorter = Math.min(old.length, now.length);
             int mismatch = Arrays.mismatch(old, now);
             int prefix = mismatch < 0 ? shorter : mismatch;
@@ -34,10 +30,10 @@ sealed interface JournalRecord {
             while (suffix < shorter - prefix && old[old.length - 1 - suffix] == now[now.length - 1 - suffix]) {
                 suffix++;
             }
-            return new TextDelta(prefix, suffix, Arrays.copyOfRange(now, prefix, now.length - suffix));
+            return new Edit(time, number, label, prefix, suffix, Arrays.copyOfRange(now, prefix, now.length - suffix));
         }
 
-        /** Returns true if the difference can be one from this text. */
+        /** Returns true if the edit can be one of this text. */
         boolean fits(byte[] old) {
             return prefix >= 0 && suffix >= 0 && (long) prefix + suffix <= old.length;
         }

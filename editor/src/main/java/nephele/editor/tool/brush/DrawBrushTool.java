@@ -20,6 +20,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
@@ -47,7 +48,6 @@ public final class DrawBrushTool implements Tool {
                     "Arraste para desenhar um bloco; Shift: base quadrada, Alt: altura",
                     "Arrasta para desenhar um bloco; Shift: base quadrada, Alt: altura"),
             "B",
-            "brush",
             DrawBrushTool::new);
 
     private static final Words DRAW = Words.of("Draw brush", "Desenhar bloco", "Desenhar bloco");
@@ -192,26 +192,25 @@ public final class DrawBrushTool implements Tool {
         Set<String> taken = new HashSet<>();
         BrushEdit<List<Solid>> drawn =
                 BrushShapes.drawn(bounds, context.options().shape(), style, () -> {
-                    String id = context.document().entities().freshId(level, Picker.SOLIDS, wish, taken);
+                    String id = Entities.LEVEL.freshId(level, Picker.SOLIDS, wish, taken);
                     taken.add(id);
                     return id;
                 });
         return context.options().shape() instanceof ShapeOptions.Room
-                ? drawn.map(slabs -> BrushShapes.named(slabs, bounds, side -> context.document()
-                        .entities()
-                        .freshId(level, Picker.SOLIDS, wish + "-" + side)))
+                ? drawn.map(slabs -> BrushShapes.named(
+                        slabs, bounds, side -> Entities.LEVEL.freshId(level, Picker.SOLIDS, wish + "-" + side)))
                 : drawn;
     }
 
     private Snapshot with(Snapshot before, List<Solid> solids) {
-        Record level = MaterialLibrary.STANDARD.including(
+        Level level = MaterialLibrary.STANDARD.including(
                 before.level(), context.options().material());
         List<EntityRef> made = new ArrayList<>();
         for (Solid solid : solids) {
-            level = context.document().entities().added(level, Picker.SOLIDS, (Record) solid);
+            level = Entities.LEVEL.added(level, Picker.SOLIDS, (Record) solid);
             made.add(new EntityRef(Picker.SOLIDS, solid.id()));
         }
-        return new Snapshot((Level) level, Selection.of(made));
+        return new Snapshot(level, Selection.of(made));
     }
 
     @Override

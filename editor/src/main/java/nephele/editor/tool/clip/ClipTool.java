@@ -17,6 +17,7 @@ import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Picker;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
@@ -45,7 +46,6 @@ public final class ClipTool implements Tool {
                     "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar",
                     "2 pontos numa planta, 3 em 3-D; duplo clique: face; Enter: cortar"),
             "C",
-            "clip",
             ClipTool::new);
 
     private static final Words CLIP = Words.of("Clip", "Cortar", "Cortar");
@@ -219,8 +219,8 @@ public final class ClipTool implements Tool {
         Map<EntityRef, List<Solid>> parts = new LinkedHashMap<>();
         Set<String> taken = new HashSet<>();
         for (EntityRef ref : targets()) {
-            Solid solid = (Solid) context.document().entities().find(level, ref).orElseThrow();
-            String other = context.document().entities().freshId(level, Picker.SOLIDS, ref.id(), taken);
+            Solid solid = (Solid) Entities.LEVEL.find(level, ref).orElseThrow();
+            String other = Entities.LEVEL.freshId(level, Picker.SOLIDS, ref.id(), taken);
             BrushEdit<List<Solid>> edit = BrushClip.clipped(solid, plane, kept, Solid.Face.INHERITED, other);
             edit.result().ifPresent(solids -> {
                 parts.put(ref, solids);
@@ -269,11 +269,7 @@ public final class ClipTool implements Tool {
 
     @Override
     public Words hint() {
-        Words how = ENTRY.description();
         Words kept = keep == Keep.BOTH ? KEEPS_BOTH : keep == Keep.BEHIND ? KEEPS_BEHIND : KEEPS_FRONT;
-        return Words.of(
-                how.english() + "; " + kept.english(),
-                how.brazilian() + "; " + kept.brazilian(),
-                how.european() + "; " + kept.european());
+        return Words.same("%s; %s").with(ENTRY.description(), kept);
     }
 }

@@ -42,7 +42,6 @@ public final class ExtrudeTool implements Tool {
                     "Arraste uma face pela normal; Shift+clique: várias; Control: bloco novo",
                     "Arrasta uma face pela normal; Shift+clique: várias; Control: bloco novo"),
             "X",
-            "extrude",
             ExtrudeTool::new);
 
     private static final Words EXTRUDE = Words.of("Extrude face", "Extrudar face", "Extrudir face");
@@ -224,8 +223,7 @@ public final class ExtrudeTool implements Tool {
     }
 
     private BrushEdit<Level> moved(Level level, FaceGrip face, double metres, boolean isNew) {
-        Entities entities = context.document().entities();
-        Optional<Solid> found = entities.find(level, face.ref().solid()).map(Solid.class::cast);
+        Optional<Solid> found = Entities.LEVEL.find(level, face.ref().solid()).map(Solid.class::cast);
         if (found.isEmpty()) {
             return BrushEdit.done(level);
         }
@@ -234,7 +232,8 @@ public final class ExtrudeTool implements Tool {
                         found.get(),
                         face.index(),
                         metres,
-                        entities.freshId(level, Picker.SOLIDS, face.brush().solidId()))
+                        Entities.LEVEL.freshId(
+                                level, Picker.SOLIDS, face.brush().solidId()))
                 : FaceExtrude.extruded(found.get(), face.index(), metres).map(List::of);
         return edit.map(solids -> new Snapshot(level, Selection.NONE)
                 .replaced(Map.of(

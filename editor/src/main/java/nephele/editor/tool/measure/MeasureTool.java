@@ -26,7 +26,6 @@ public final class MeasureTool implements Tool {
                     "Arraste de um lugar a outro para ver a distância",
                     "Arrasta de um sítio a outro para ver a distância"),
             "L",
-            "measure",
             MeasureTool::new);
 
     private final ToolContext context;

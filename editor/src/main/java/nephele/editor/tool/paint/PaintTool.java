@@ -13,6 +13,7 @@ import nephele.editor.paint.PaintedFace;
 import nephele.editor.paint.TextureFit;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
 import nephele.editor.tool.Pointer;
@@ -40,7 +41,6 @@ public final class PaintTool implements Tool {
                     "Pinte faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: pegar",
                     "Pinta faces com clique ou arrasto; Shift: sólido, Control: continuar, Alt: obter"),
             "M",
-            "paint",
             PaintTool::new);
 
     private static final Words PAINT = Words.of("Paint", "Pintar", "Pintar");
@@ -105,13 +105,7 @@ public final class PaintTool implements Tool {
         }
         FacesUnderPointer.shape(context.document().level(), hovered).ifPresent(face -> {
             context.options().material(face.material());
-            context.status(
-                    face.material() == null
-                            ? Words.of(
-                                    TAKEN.with(GREY.english()).english(),
-                                    TAKEN.with(GREY.brazilian()).brazilian(),
-                                    TAKEN.with(GREY.european()).european())
-                            : TAKEN.with(face.material()));
+            context.status(TAKEN.with(face.material() == null ? GREY : face.material()));
         });
     }
 
@@ -143,8 +137,7 @@ public final class PaintTool implements Tool {
         Solid solid = FacesUnderPointer.solid(painted, face);
         Solid changed = changed(solid, face, pointer);
         if (changed != solid) {
-            painted = (Level)
-                    context.document().entities().changed(painted, List.of(face.solid()), before -> (Record) changed);
+            painted = Entities.LEVEL.changed(painted, List.of(face.solid()), before -> (Record) changed);
         }
     }
 
@@ -220,7 +213,7 @@ public final class PaintTool implements Tool {
 
     /** Returns the solid with a face of the material, {@code null} for grey; the same object if it has it already. */
     public static Solid withFace(Solid solid, String face, String material) {
-        Solid.Face authored = SolidFaces.said(solid, face);
+        Solid.Face authored = SolidFaces.authored(solid, face);
         String now = authored.material() == null ? solid.material() : authored.material();
         return Objects.equals(now, material) ? solid : with(solid, face, material, authored.texture());
     }
@@ -228,27 +221,27 @@ public final class PaintTool implements Tool {
     /** Returns the solid with a face of the material and another placement of its picture. */
     private static Solid withFace(Solid solid, String face, String material, TexturePlacement texture) {
         TexturePlacement placement = TexturePlacement.NONE.equals(texture) ? null : texture;
-        boolean isSame = Objects.equals(SolidFaces.said(solid, face).texture(), placement);
+        boolean isSame = Objects.equals(SolidFaces.authored(solid, face).texture(), placement);
         return isSame ? withFace(solid, face, material) : with(solid, face, material, placement);
     }
 
     private static Solid with(Solid solid, String face, String material, TexturePlacement texture) {
         boolean isInherited = Objects.equals(solid.material(), material);
-        // A face cannot say that it is grey: the solid becomes grey and its other faces say what they were.
+        // A face has no word for grey: the solid becomes grey, and its other faces keep their materials as their own.
         Solid base = material == null && !isInherited ? greyed(solid) : solid;
         return SolidFaces.with(
                 base,
                 face,
                 new Solid.Face(
                         isInherited ? null : material,
-                        SolidFaces.said(solid, face).portalable(),
+                        SolidFaces.authored(solid, face).portalable(),
                         texture));
     }
 
     private static Solid greyed(Solid solid) {
         Solid grey = withMaterial(solid, null);
         for (String name : SolidFaces.names(solid)) {
-            Solid.Face authored = SolidFaces.said(solid, name);
+            Solid.Face authored = SolidFaces.authored(solid, name);
             String material = authored.material() == null ? solid.material() : authored.material();
             grey = SolidFaces.with(grey, name, new Solid.Face(material, authored.portalable(), authored.texture()));
         }
@@ -259,7 +252,7 @@ public final class PaintTool implements Tool {
     private static Solid whole(Solid solid, String material) {
         Solid painted = withMaterial(solid, material);
         for (String name : SolidFaces.names(solid)) {
-            Solid.Face authored = SolidFaces.said(solid, name);
+            Solid.Face authored = SolidFaces.authored(solid, name);
             if (authored.material() != null) {
                 painted =
                         SolidFaces.with(painted, name, new Solid.Face(null, authored.portalable(), authored.texture()));

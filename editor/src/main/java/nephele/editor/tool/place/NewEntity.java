@@ -2,8 +2,7 @@ package nephele.editor.tool.place;
 
 import java.util.List;
 import java.util.Optional;
-import nephele.editor.added.Completion;
-import nephele.editor.added.NewRecord;
+import nephele.editor.added.AddedRecord;
 import nephele.editor.brush.BrushStyle;
 import nephele.editor.document.Selection;
 import nephele.editor.document.Snapshot;
@@ -11,11 +10,8 @@ import nephele.editor.paint.MaterialLibrary;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.record.EntitySection;
-import nephele.editor.record.LevelStructure;
-import nephele.editor.record.Prototypes;
 import nephele.editor.record.RecordField;
 import nephele.editor.record.RecordKind;
-import nephele.editor.record.RecordWalk;
 import nephele.editor.record.SingleSection;
 import nephele.editor.tool.PointedPlace;
 import nephele.editor.tool.ToolOptions;
@@ -41,10 +37,10 @@ record NewEntity(String section, Record entity) {
     private static final double CLOUD_BASE_METRES = 60;
 
     /** Makes the entity that the options name; empty if there is no such kind. */
-    static Optional<NewEntity> of(Level level, Entities entities, ToolOptions options, PointedPlace at) {
+    static Optional<NewEntity> of(Level level, ToolOptions options, PointedPlace at) {
         String section = options.section();
-        return kind(entities.structure(), options).map(kind -> {
-            String id = entities.freshId(level, section, wish(entities.structure(), options, kind));
+        return kind(options).map(kind -> {
+            String id = Entities.LEVEL.freshId(level, section, wish(options, kind));
             double off = standoffMetres(made(kind, id, at.point(), options, level), at.normal());
             Record record =
                     made(kind, id, PointedPlace.cleaned(at.point().addScaled(off, at.normal())), options, level);
@@ -52,11 +48,11 @@ record NewEntity(String section, Record entity) {
         });
     }
 
-    private static Optional<RecordKind> kind(LevelStructure structure, ToolOptions options) {
-        List<RecordKind> kinds = structure
+    private static Optional<RecordKind> kind(ToolOptions options) {
+        List<RecordKind> kinds = Entities.LEVEL
                 .list(options.section())
                 .map(EntitySection::kinds)
-                .or(() -> structure
+                .or(() -> Entities.LEVEL
                         .single(options.section())
                         .filter(SingleSection::isOptional)
                         .map(SingleSection::kinds))
@@ -69,8 +65,8 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns the kind's name if the section has several, else the section's in the singular. */
-    private static String wish(LevelStructure structure, ToolOptions options, RecordKind kind) {
-        return structure
+    private static String wish(ToolOptions options, RecordKind kind) {
+        return Entities.LEVEL
                 .list(options.section())
                 .filter(list -> list.kinds().size() == 1)
                 .map(list -> list.title().replaceFirst("s$", ""))
@@ -78,7 +74,7 @@ record NewEntity(String section, Record entity) {
     }
 
     private static Record made(RecordKind kind, String id, Vec3 at, ToolOptions options, Level level) {
-        Record record = NewRecord.at(kind, id, at);
+        Record record = AddedRecord.at(kind, id, at);
         if (record instanceof Solid) {
             return painted(record, options, level);
         }
@@ -98,7 +94,7 @@ record NewEntity(String section, Record entity) {
             for (Class<?> type : field.declaration().beside() ? field.recordClasses() : List.<Class<?>>of()) {
                 RecordKind variant = RecordKind.of(type);
                 if (variant.name().equals(wanted)) {
-                    return kind.with(record, field, Prototypes.make(variant, "", at));
+                    return kind.with(record, field, AddedRecord.at(variant, "", at));
                 }
             }
         }
@@ -124,12 +120,12 @@ record NewEntity(String section, Record entity) {
     }
 
     /** Returns the snapshot with the entity in the level and selected. */
-    Snapshot addedTo(Snapshot before, Entities entities) {
+    Snapshot addedTo(Snapshot before) {
         Level base = entity instanceof Solid solid
                 ? MaterialLibrary.STANDARD.including(before.level(), solid.material())
                 : before.level();
-        Level added = Completion.of(before.level(), (Level) entities.added(base, section, entity));
-        Level level = Completion.paired(before.level(), added);
+        Level added = AddedRecord.completed(before.level(), Entities.LEVEL.added(base, section, entity));
+        Level level = AddedRecord.paired(before.level(), added);
         return new Snapshot(level, Selection.of(ref()));
     }
 
@@ -155,7 +151,7 @@ record NewEntity(String section, Record entity) {
 
     private static Vec3 extent(Record entity) {
         Vec3[] found = {Vec3.ZERO};
-        RecordWalk.map(entity, (field, value) -> {
+        RecordKind.mapped(entity, (field, value) -> {
             if (field.spatial() == Spatial.EXTENT && value instanceof Vec3 size) {
                 found[0] = size;
             }

@@ -29,7 +29,6 @@ public final class PlaceTool implements Tool {
                     "Clique numa superfície para colocar uma entidade",
                     "Clica numa superfície para colocar uma entidade"),
             "G",
-            "place",
             PlaceTool::new);
 
     private static final Words PLACE = Words.of("Place %s", "Colocar %s", "Colocar %s");
@@ -78,8 +77,7 @@ public final class PlaceTool implements Tool {
         }
         at(pointer).ifPresent(entity -> {
             ghost = entity;
-            context.document()
-                    .drag(before -> entity.addedTo(before, context.document().entities()));
+            context.document().drag(before -> entity.addedTo(before));
         });
     }
 
@@ -89,11 +87,7 @@ public final class PlaceTool implements Tool {
                         context,
                         pointer,
                         entity -> isPressed && ghost != null && ghost.ref().equals(entity))
-                .flatMap(place -> NewEntity.of(
-                        before.level(),
-                        context.document().entities(),
-                        context.options(),
-                        place.snapped(context, pointer)));
+                .flatMap(place -> NewEntity.of(before.level(), context.options(), place.snapped(context, pointer)));
     }
 
     @Override
@@ -122,7 +116,7 @@ public final class PlaceTool implements Tool {
     public Words hint() {
         Snapshot now = context.document().now();
         PointedPlace anywhere = new PointedPlace(Vec3.ZERO, new Vec3(0, 1, 0));
-        return NewEntity.of(now.level(), context.document().entities(), context.options(), anywhere)
+        return NewEntity.of(now.level(), context.options(), anywhere)
                 .map(entity -> HINT.with(EntityWords.ofKind(
                         context.options().section(), context.options().kind())))
                 .orElseGet(() ->

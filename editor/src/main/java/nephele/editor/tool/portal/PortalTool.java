@@ -10,6 +10,7 @@ import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
 import nephele.editor.proving.HeatText;
+import nephele.editor.proving.PlacementHeatMap;
 import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
@@ -21,7 +22,6 @@ import nephele.editor.tool.ToolEntry;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
-import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.appearance.MirrorFaces;
 import nephele.engine.level.placed.StaticShapes;
@@ -52,7 +52,6 @@ public final class PortalTool implements Tool {
                     "Clique duas vezes para um par de portais; arraste um portal selecionado para mover",
                     "Clica duas vezes para um par de portais; arrasta um portal selecionado para o mover"),
             "P",
-            "portal",
             PortalTool::new);
 
     private static final Words PAIR = Words.of("Add portals", "Adicionar portais", "Adicionar portais");
@@ -62,11 +61,6 @@ public final class PortalTool implements Tool {
             "O primeiro portal não cabe mais: coloque de novo",
             "O primeiro portal já não cabe: volta a colocá-lo");
     private static final String SECTION = "portals";
-
-    /** Slide up to which a portal is where it was aimed. */
-    private static final double AIMED_METRES = 1e-6;
-
-    private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
 
     /** Beyond every level, and every plan's eye. */
     private static final double FARTHEST_METRES = 1e8;
@@ -104,7 +98,7 @@ public final class PortalTool implements Tool {
 
     private PortalGun gun() {
         PortalGun gun = context.document().level().portalGun();
-        return gun == null ? DEFAULT_GUN : gun;
+        return gun == null ? PlacementHeatMap.DEFAULT_GUN : gun;
     }
 
     /** Returns the portals that are open, but for one that moves. */
@@ -141,8 +135,7 @@ public final class PortalTool implements Tool {
                 .filter(entity -> entity.section().equals(SECTION))
                 .filter(context.document().selection()::contains)
                 .findFirst()
-                .flatMap(entity ->
-                        context.document().entities().find(context.document().level(), entity))
+                .flatMap(entity -> Entities.LEVEL.find(context.document().level(), entity))
                 .map(PortalSpec.class::cast);
     }
 
@@ -157,9 +150,8 @@ public final class PortalTool implements Tool {
         context.status(aimWords());
         if (aim instanceof PlacementResult.Fits fits) {
             PortalSpec there = spec(fits.portal(), moving.id(), moving.linkedTo());
-            Entities entities = context.document().entities();
             context.document()
-                    .drag(before -> before.with((Level) entities.changed(
+                    .drag(before -> before.with(Entities.LEVEL.changed(
                             before.level(), List.of(new EntityRef(SECTION, moving.id())), portal -> there)));
         }
     }
@@ -196,12 +188,11 @@ public final class PortalTool implements Tool {
     }
 
     private Snapshot paired(Snapshot before, Portal one, Portal two) {
-        Entities entities = context.document().entities();
-        String oneId = entities.freshId(before.level(), SECTION, "portal-1");
-        String twoId = entities.freshId(before.level(), SECTION, "portal-2", Set.of(oneId));
-        Level with = (Level) entities.added(before.level(), SECTION, spec(one, oneId, twoId));
+        String oneId = Entities.LEVEL.freshId(before.level(), SECTION, "portal-1");
+        String twoId = Entities.LEVEL.freshId(before.level(), SECTION, "portal-2", Set.of(oneId));
+        Level with = Entities.LEVEL.added(before.level(), SECTION, spec(one, oneId, twoId));
         return new Snapshot(
-                (Level) entities.added(with, SECTION, spec(two, twoId, oneId)),
+                Entities.LEVEL.added(with, SECTION, spec(two, twoId, oneId)),
                 Selection.of(List.of(new EntityRef(SECTION, oneId), new EntityRef(SECTION, twoId))));
     }
 
@@ -317,7 +308,7 @@ public final class PortalTool implements Tool {
     }
 
     private static boolean isSliding(PlacementResult.Fits fits) {
-        return fits.slideMetres() > AIMED_METRES;
+        return fits.slideMetres() > PlacementHeatMap.AIMED_METRES;
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.Set;
 import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.FacesUnderPointer;
@@ -31,7 +32,6 @@ public final class PortalableTool implements Tool {
                     "Clique numa face para permitir ou recusar portais; arraste para mais faces",
                     "Clica numa face para permitir ou recusar portais; arrasta para mais faces"),
             "K",
-            "portalable",
             PortalableTool::new);
 
     private static final Words PERMIT = Words.of("Permit portals", "Permitir portais", "Permitir portais");
@@ -76,7 +76,7 @@ public final class PortalableTool implements Tool {
     }
 
     private static boolean isPortalable(Solid solid, String face) {
-        Boolean authored = SolidFaces.said(solid, face).portalable();
+        Boolean authored = SolidFaces.authored(solid, face).portalable();
         return authored == null ? solid.portalable() : authored;
     }
 
@@ -102,11 +102,11 @@ public final class PortalableTool implements Tool {
         if (isPortalable(solid, face.face()) == isPermitting) {
             return;
         }
-        Solid.Face authored = SolidFaces.said(solid, face.face());
+        Solid.Face authored = SolidFaces.authored(solid, face.face());
         Boolean wanted = solid.portalable() == isPermitting ? null : (Boolean) isPermitting;
         Solid other =
                 SolidFaces.with(solid, face.face(), new Solid.Face(authored.material(), wanted, authored.texture()));
-        changed = (Level) context.document().entities().changed(changed, List.of(face.solid()), same -> (Record) other);
+        changed = Entities.LEVEL.changed(changed, List.of(face.solid()), same -> (Record) other);
     }
 
     @Override

@@ -37,7 +37,6 @@ public final class SelectTool implements Tool {
                     "Clique para selecionar, arraste para mover; arraste de um lugar vazio para um retângulo",
                     "Clica para selecionar, arrasta para mover; arrasta de um sítio vazio para um retângulo"),
             "Q",
-            "select",
             SelectTool::new);
 
     private static final Words MOVE = Words.of("Move", "Mover", "Mover");

@@ -3,6 +3,7 @@ package nephele.editor.tool.sun;
 import java.util.List;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Tool;
@@ -23,7 +24,6 @@ public final class SunTool implements Tool {
                     "Arraste numa vista em perspectiva para pôr o sol ali",
                     "Arrasta numa vista em perspetiva para pôr o sol ali"),
             "U",
-            "sun",
             SunTool::new);
 
     private static final Words MOVE = Words.of("Move sun", "Mover sol", "Mover o sol");
@@ -71,7 +71,7 @@ public final class SunTool implements Tool {
         Sun moved = now == null
                 ? new Sun(towardsSun, DAYLIGHT, true)
                 : new Sun(towardsSun, now.irradiance(), now.castsShadow());
-        return moved.equals(now) ? level : (Level) context.document().entities().added(level, SECTION, moved);
+        return moved.equals(now) ? level : Entities.LEVEL.added(level, SECTION, moved);
     }
 
     @Override

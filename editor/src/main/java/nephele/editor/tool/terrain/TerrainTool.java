@@ -35,7 +35,6 @@ public final class TerrainTool implements Tool {
                     "Arraste sobre um terreno para moldá-lo ou pintá-lo; Shift rebaixa ou apaga",
                     "Arrasta sobre um terreno para o moldar ou pintar; Shift rebaixa ou apaga"),
             "T",
-            "terrain",
             TerrainTool::new);
     private static final int RING_CORNERS = 64;
     /** Height of the outline above the ground, so that the ground does not hide it. */
@@ -152,25 +151,25 @@ public final class TerrainTool implements Tool {
         if (hovered == null) {
             return ENTRY.description();
         }
-        TerrainBrush shown = context.options().terrainBrush().with(brush.effect());
-        if (shown.effect().isPaint()) {
+        TerrainBrush active = context.options().terrainBrush().with(brush.effect());
+        if (active.effect().isPaint()) {
             return TerrainText.PAINT_BRUSH.with(
-                    title(shown, hovered.terrain()),
-                    TerrainText.number(shown.radiusMetres()),
-                    Math.round(100 * shown.strength()));
+                    title(active, hovered.terrain()),
+                    TerrainText.number(active.radiusMetres()),
+                    Math.round(100 * active.strength()));
         }
         return TerrainText.BRUSH.with(
-                shown.effect().title(),
-                TerrainText.number(shown.radiusMetres()),
-                Math.round(100 * shown.strength()),
+                active.effect().title(),
+                TerrainText.number(active.radiusMetres()),
+                Math.round(100 * active.strength()),
                 TerrainText.number(y(hovered.point().x(), hovered.point().z())
                         - hovered.terrain().centre().y()));
     }
 
-    private static Words title(TerrainBrush shown, Terrain terrain) {
-        return shown.effect() == Effect.PAINT
-                ? TerrainText.PAINT.with(LayerChoice.name(terrain, shown.layer()))
-                : shown.effect().title();
+    private static Words title(TerrainBrush active, Terrain terrain) {
+        return active.effect() == Effect.PAINT
+                ? TerrainText.PAINT.with(LayerChoice.name(terrain, active.layer()))
+                : active.effect().title();
     }
 
     /** Returns the outline and the middle of a brush on the ground; parts beside the terrain are left out. */

@@ -10,6 +10,7 @@ import nephele.editor.document.EntityTransform;
 import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
+import nephele.editor.record.Entities;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
 import nephele.editor.tool.Pointer.Modifier;
@@ -21,7 +22,6 @@ import nephele.editor.tool.ToolEntry;
 import nephele.editor.tool.WorldAxis;
 import nephele.editor.tool.select.SelectTool;
 import nephele.editor.tool.transform.Gizmo.Grip;
-import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -35,7 +35,6 @@ public final class TransformTool implements Tool {
                     "Arraste uma seta ou um canto para mover ao longo de um eixo ou em um plano",
                     "Arrasta uma seta ou um canto para mover ao longo de um eixo ou num plano"),
             "W",
-            "move",
             context -> new TransformTool(context, Gizmo.MOVE));
 
     public static final ToolEntry ROTATE = new ToolEntry(
@@ -46,7 +45,6 @@ public final class TransformTool implements Tool {
                     "Arraste um anel para girar de 15° em 15°; Shift: de 5° em 5°",
                     "Arrasta um anel para rodar de 15° em 15°; Shift: de 5° em 5°"),
             "E",
-            "rotate",
             context -> new TransformTool(context, Gizmo.ROTATE));
 
     public static final ToolEntry SCALE = new ToolEntry(
@@ -57,7 +55,6 @@ public final class TransformTool implements Tool {
                     "Arraste a alça de um lado para esticar, a de um canto para escalar todos os lados",
                     "Arrasta a pega de um lado para esticar, a de um canto para dimensionar todos os lados"),
             "R",
-            "scale",
             context -> new TransformTool(context, Gizmo.SCALE));
 
     private static final double TURN_DEGREES = 15;
@@ -137,13 +134,10 @@ public final class TransformTool implements Tool {
             return;
         }
         change(pointer).ifPresent(change -> context.document()
-                .drag(before -> before.with((Level) context.document()
-                        .entities()
-                        .changed(
-                                before.level(),
-                                NoteEdits.unlocked(
-                                        before.level(), before.selection().entities()),
-                                change))));
+                .drag(before -> before.with(Entities.LEVEL.changed(
+                        before.level(),
+                        NoteEdits.unlocked(before.level(), before.selection().entities()),
+                        change))));
     }
 
     @Override

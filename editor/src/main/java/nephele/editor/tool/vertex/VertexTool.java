@@ -14,6 +14,7 @@ import nephele.editor.document.NoteEdits;
 import nephele.editor.document.Snapshot;
 import nephele.editor.pane.Mark;
 import nephele.editor.pane.MarkColour;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.text.Words;
 import nephele.editor.tool.Pointer;
@@ -40,7 +41,6 @@ public final class VertexTool implements Tool {
                     "Arraste vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta",
                     "Arrasta vértices ou meios de arestas; Shift: vários, Alt: na vertical, Ctrl: divide a aresta"),
             "V",
-            "vertex",
             VertexTool::new);
 
     private static final Words MOVE = Words.of("Move vertices", "Mover vértices", "Mover vértices");
@@ -92,7 +92,7 @@ public final class VertexTool implements Tool {
 
     /** Returns {@code null} for an entity of another kind. */
     private Solid solid(Level level, EntityRef ref) {
-        return context.document().entities().find(level, ref).orElse(null) instanceof Solid solid ? solid : null;
+        return Entities.LEVEL.find(level, ref).orElse(null) instanceof Solid solid ? solid : null;
     }
 
     @Override
@@ -189,8 +189,7 @@ public final class VertexTool implements Tool {
     }
 
     private BrushEdit<Level> changed(Level level, EntityRef ref, BrushEdit<Solid> edit) {
-        return edit.map(
-                solid -> (Level) context.document().entities().changed(level, List.of(ref), entity -> (Record) solid));
+        return edit.map(solid -> Entities.LEVEL.changed(level, List.of(ref), entity -> (Record) solid));
     }
 
     @Override

@@ -13,7 +13,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.SwingUtilities;
-import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.Listeners;
 
 /** Shows a panel in a dialogue over the window of a component, and waits until it is closed; Esc closes it. */
 public final class DialogFrame implements DialogOpener {
@@ -46,7 +46,7 @@ public final class DialogFrame implements DialogOpener {
         Content content = making.apply(dialog::dispose);
         dialog.setContentPane(content.panel());
         dialog.getRootPane().setDefaultButton(content.main());
-        ComponentKeys.bind(dialog.getRootPane(), "ESCAPE", dialog::dispose);
+        Listeners.onKey(dialog.getRootPane(), "ESCAPE", dialog::dispose);
         dialog.addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {

@@ -1,10 +1,10 @@
 package nephele.editor.window.dialog;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of the dialogues in English, Brazilian and European Portuguese. */
-public enum DialogText {
+public enum DialogText implements Text {
     OK("OK", "OK", "OK"),
     CANCEL("Cancel", "Cancelar", "Cancelar"),
     SEARCH_COMMANDS("Search commands", "Buscar comandos", "Procurar comandos"),
@@ -55,13 +55,8 @@ public enum DialogText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text. */
+    @Override
     public Words words() {
         return words;
-    }
-
-    /** Returns the text in a language. */
-    public String in(Language language) {
-        return words.in(language);
     }
 }

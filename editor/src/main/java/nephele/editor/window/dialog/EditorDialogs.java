@@ -18,7 +18,7 @@ import nephele.editor.pane.PaneCamera.PaneSize;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.PaneView;
 import nephele.editor.pane.PerspectiveCamera;
-import nephele.editor.panel.model.PaletteModel;
+import nephele.editor.panel.model.PaletteEntry;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.text.EditorRefusal;
@@ -52,7 +52,7 @@ public final class EditorDialogs {
         parts.accept("add", this::showKinds);
         parts.accept("open-recent", this::showRecent);
         parts.accept("screenshot", this::savePicture);
-        ActionForms.ALL.forEach(form -> parts.accept(form.part(), () -> show(form)));
+        ActionForm.ALL.forEach(form -> parts.accept(form.part(), () -> show(form)));
     }
 
     private void showPalette() {
@@ -68,7 +68,7 @@ public final class EditorDialogs {
 
     private void showKinds() {
         frame.open(DialogText.ADD.in(session.language()), close -> {
-            SearchList<PaletteModel.Entry> list = Searches.kinds(session.language(), chosen -> {
+            SearchList<PaletteEntry> list = Searches.kinds(session.language(), chosen -> {
                 close.run();
                 chosen.ifPresent(this::add);
             });
@@ -90,7 +90,7 @@ public final class EditorDialogs {
         });
     }
 
-    private void add(PaletteModel.Entry entry) {
+    private void add(PaletteEntry entry) {
         Map<String, String> values = new LinkedHashMap<>();
         values.put("kind", entry.section() + "." + entry.kind());
         values.put("at", text(session));

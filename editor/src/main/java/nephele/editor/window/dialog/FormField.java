@@ -9,31 +9,36 @@ import nephele.editor.text.Words;
  * A value that a form asks for.
  *
  * @param name of the action's parameter
+ * @param numbers how many numbers it has, written with commas between them; 0 for any text
  * @param initial the text at first
+ * @param options the values to choose from; {@code null} if the value is typed
  */
-record FormField(String name, Words label, Input input, Function<EditorSession, String> initial) {
-    /** The component for a value. */
-    sealed interface Input {
-        /** Several numbers side by side, written with commas between them. */
-        record Numbers(int count) implements Input {}
-
-        record Text() implements Input {}
-
-        record Choice(Function<EditorSession, List<Option>> options) implements Input {}
-    }
-
+record FormField(
+        String name,
+        Words label,
+        int numbers,
+        Function<EditorSession, String> initial,
+        Function<EditorSession, List<Option>> options) {
     /** A value of a choice, and its name. */
     record Option(String value, Words label) {}
 
-    static FormField vector(String name, DialogText label, Function<EditorSession, String> initial) {
-        return new FormField(name, label.words(), new Input.Numbers(3), initial);
+    static FormField text(String name, DialogText label, Function<EditorSession, String> initial) {
+        return new FormField(name, label.words(), 0, initial, null);
     }
 
     static FormField number(String name, DialogText label, Function<EditorSession, String> initial) {
-        return new FormField(name, label.words(), new Input.Numbers(1), initial);
+        return new FormField(name, label.words(), 1, initial, null);
+    }
+
+    static FormField vector(String name, DialogText label, Function<EditorSession, String> initial) {
+        return new FormField(name, label.words(), 3, initial, null);
     }
 
     static FormField choice(String name, DialogText label, Function<EditorSession, List<Option>> options) {
-        return new FormField(name, label.words(), new Input.Choice(options), session -> "");
+        return new FormField(name, label.words(), 0, session -> "", options);
+    }
+
+    boolean isChoice() {
+        return options != null;
     }
 }

@@ -1,21 +1,19 @@
 package nephele.editor.window.dialog;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import nephele.editor.panel.model.NumberExpression;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
-import nephele.editor.widget.TextListener;
+import nephele.editor.widget.Listeners;
+import nephele.editor.widget.WordCell;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -37,20 +35,21 @@ final class FormInput {
 
     private JComponent component(EditorSession session, Runnable changed) {
         String name = field.label().in(language);
-        if (field.input() instanceof FormField.Input.Choice options) {
-            options.options().apply(session).forEach(choice::addItem);
-            choice.setRenderer(new OptionCell());
+        if (field.isChoice()) {
+            field.options().apply(session).forEach(choice::addItem);
+            choice.setRenderer(
+                    new WordCell<FormField.Option>(option -> option.label().in(language)));
             choice.getAccessibleContext().setAccessibleName(name);
             choice.addActionListener(event -> changed.run());
             return choice;
         }
-        int count = field.input() instanceof FormField.Input.Numbers numbers ? numbers.count() : 1;
+        int count = Math.max(1, field.numbers());
         String[] values = field.initial().apply(session).split(",", count);
         JPanel row = new JPanel(new MigLayout("insets 0, gap 6, fill", ""));
         for (int i = 0; i < count; i++) {
             JTextField text = new JTextField(i < values.length ? values[i] : "", count == 1 ? 18 : 8);
             text.getAccessibleContext().setAccessibleName(count == 1 ? name : name + " " + AXES.charAt(i));
-            text.getDocument().addDocumentListener(new TextListener(changed));
+            Listeners.onText(text, changed);
             text.selectAll();
             if (count > 1) {
                 row.add(new JLabel(AXES.substring(i, i + 1)));
@@ -59,18 +58,6 @@ final class FormInput {
             texts.add(text);
         }
         return row;
-    }
-
-    private final class OptionCell extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-            String text =
-                    value instanceof FormField.Option option ? option.label().in(language) : "";
-            return super.getListCellRendererComponent(list, text, index, isSelected, hasFocus);
-        }
     }
 
     JComponent component() {
@@ -94,20 +81,20 @@ final class FormInput {
 
     /** Returns what is wrong, or {@link Words#NONE}. */
     Words problem() {
-        if (field.input() instanceof FormField.Input.Numbers) {
+        if (field.numbers() > 0) {
             boolean areNumbers = texts.stream()
                     .allMatch(text -> NumberExpression.evaluate(text.getText()).isPresent());
-            return areNumbers ? Words.NONE : DialogText.NO_NUMBER.words().with(field.label());
+            return areNumbers ? Words.NONE : DialogText.NO_NUMBER.with(field.label());
         }
-        boolean isEmpty = field.input() instanceof FormField.Input.Choice
+        boolean isEmpty = field.isChoice()
                 ? choice.getSelectedItem() == null
                 : texts.get(0).getText().isBlank();
-        return isEmpty ? DialogText.IS_EMPTY.words().with(field.label()) : Words.NONE;
+        return isEmpty ? DialogText.IS_EMPTY.with(field.label()) : Words.NONE;
     }
 
     /** Returns the value as a script writes it. */
     String value() {
-        if (field.input() instanceof FormField.Input.Numbers) {
+        if (field.numbers() > 0) {
             return String.join(",", texts.stream().map(FormInput::number).toList());
         }
         return choice.getSelectedItem() instanceof FormField.Option option

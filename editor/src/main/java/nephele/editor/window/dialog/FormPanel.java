@@ -16,7 +16,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.text.Words;
 import net.miginfocom.swing.MigLayout;
 
-/** The fields of a form with its buttons; what is wrong is told in words while the user types. */
+/** The fields of a form with its buttons; what is wrong is reported in words while the user types. */
 final class FormPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_WIDTH_POINTS = 380;
@@ -73,14 +73,14 @@ final class FormPanel extends JPanel {
                 .filter(input -> !input.problem().equals(Words.NONE))
                 .findFirst();
         Words problem =
-                wrong.map(FormInput::problem).orElseGet(() -> form.check().problem(session, values()));
+                wrong.map(FormInput::problem).orElseGet(() -> form.check().apply(session, values()));
         boolean isWrong = !problem.equals(Words.NONE);
         inputs.forEach(input -> input.mark(isWrong && wrong.map(input::equals).orElse(true)));
-        tell(problem);
+        report(problem);
         accept.setEnabled(!isWrong);
     }
 
-    private void tell(Words words) {
+    private void report(Words words) {
         String text = words.in(session.language());
         message.setText(text.isEmpty() ? " " : text);
         message.setToolTipText(text.isEmpty() ? null : text);
@@ -88,7 +88,7 @@ final class FormPanel extends JPanel {
 
     private void accept() {
         Words failure = run.apply(values());
-        tell(failure);
+        report(failure);
         if (failure.equals(Words.NONE)) {
             close.run();
         }

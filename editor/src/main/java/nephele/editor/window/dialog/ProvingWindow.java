@@ -14,7 +14,7 @@ import nephele.editor.proving.PixelExplanation;
 import nephele.editor.proving.ProvingText;
 import nephele.editor.proving.ProvingThreads;
 import nephele.editor.session.EditorSession;
-import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.Listeners;
 import nephele.editor.window.WindowInterface;
 import nephele.engine.level.Language;
 
@@ -45,7 +45,7 @@ public final class ProvingWindow {
     private void browse() {
         session.proving().trade().page().ifPresent(page -> {
             if (!isBrowsed(page)) {
-                session.status(ProvingText.TRADE_DONE.words().with(page));
+                session.status(ProvingText.TRADE_DONE.with(page));
             }
         });
     }
@@ -71,7 +71,7 @@ public final class ProvingWindow {
         dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         dialog.add(panel);
         dialog.getRootPane().setDefaultButton(panel.closeButton());
-        ComponentKeys.bind(dialog.getRootPane(), "ESCAPE", dialog::dispose);
+        Listeners.onKey(dialog.getRootPane(), "ESCAPE", dialog::dispose);
         dialog.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosed(WindowEvent event) {

@@ -17,6 +17,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -27,7 +28,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingConstants;
 import javax.swing.UIManager;
-import nephele.editor.widget.TextListener;
+import nephele.editor.widget.Listeners;
 import nephele.engine.level.Language;
 
 /** A list that typed words narrow; Up, Down, PageUp and PageDown move, Enter and a click choose, Esc ends it. */
@@ -36,19 +37,33 @@ public final class SearchList<T> extends JPanel {
     private static final int ROWS = 14;
     private static final int WIDTH_POINTS = 560;
     private static final int ROW_POINTS = 24;
+    /**
+     * The row of a search list for an element.
+     *
+     * @param aside what it belongs to, in a column of its own; may be empty
+     * @param trailing such as its key, at the right end; may be empty
+     * @param icon {@code null} for none
+     */
+    public record Row(String title, String aside, String trailing, Icon icon, boolean isEnabled) {
+        /** Returns a row with a title alone. */
+        public static Row of(String title, String aside) {
+            return new Row(title, aside, "", null, true);
+        }
+    }
+
     /** Paints the rows of a search list in three columns that stay aligned from row to row. */
     private static final class SearchCell<T> extends JPanel implements ListCellRenderer<T> {
         private static final int INSET_POINTS = 8;
         private static final double ASIDE_AT = 0.56;
         private static final double TRAILING_AT = 0.76;
 
-        private final transient Function<T, SearchRow> rows;
+        private final transient Function<T, Row> rows;
         private final int rowPoints;
         private final JLabel title = new JLabel();
         private final JLabel aside = new JLabel();
         private final JLabel trailing = new JLabel("", SwingConstants.TRAILING);
 
-        SearchCell(Function<T, SearchRow> rows, int rowPoints) {
+        SearchCell(Function<T, Row> rows, int rowPoints) {
             super(null);
             this.rows = rows;
             this.rowPoints = rowPoints;
@@ -60,7 +75,7 @@ public final class SearchList<T> extends JPanel {
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends T> list, T value, int index, boolean isSelected, boolean hasFocus) {
-            SearchRow row = rows.apply(value);
+            Row row = rows.apply(value);
             title.setText(row.title());
             title.setIcon(row.icon());
             aside.setText(row.aside());
@@ -104,39 +119,48 @@ public final class SearchList<T> extends JPanel {
     private final JList<T> list = new JList<>(found);
     private final JPanel results = new JPanel(new CardLayout());
     private final transient Function<String, List<T>> find;
-    private final transient Function<T, SearchRow> rows;
+    private final transient Function<T, Row> rows;
     private final transient Consumer<Optional<T>> done;
 
+    /** Creates a list that shows what an empty query finds, in rows of the usual height. */
+    public SearchList(
+            DialogText prompt,
+            Function<String, List<T>> find,
+            Function<T, Row> rows,
+            Consumer<Optional<T>> done,
+            Language language) {
+        this(prompt, find, rows, done, language, ROW_POINTS);
+    }
+
     /**
-     * The search of a list, its rows and its effect.
+     * Creates a list that shows what an empty query finds.
      *
      * @param find returns the elements that a query finds, in order
      * @param done receives the chosen element, or nothing if the user gives up
+     * @param rowPoints height of a row at 100 %
      */
-    public record Search<T>(
+    SearchList(
             DialogText prompt,
             Function<String, List<T>> find,
-            Function<T, SearchRow> rows,
-            Consumer<Optional<T>> done) {}
-
-    /** Creates a list that shows what an empty query finds. */
-    public SearchList(Search<T> search, Language language) {
-        this(search, language, ROW_POINTS);
-    }
-
-    /** @param rowPoints height of a row at 100 % */
-    SearchList(Search<T> search, Language language, int rowPoints) {
+            Function<T, Row> rows,
+            Consumer<Optional<T>> done,
+            Language language,
+            int rowPoints) {
         super(new BorderLayout(0, UIScale.scale(6)));
-        find = search.find();
-        rows = search.rows();
-        done = search.done();
+        this.find = find;
+        this.rows = rows;
+        this.done = done;
         int margin = UIScale.scale(8);
         setBorder(BorderFactory.createEmptyBorder(margin, margin, margin, margin));
-        String prompt = search.prompt().in(language);
-        query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt);
-        query.getAccessibleContext().setAccessibleName(prompt);
-        query.getDocument().addDocumentListener(new TextListener(this::refind));
-        query.addKeyListener(new Choosing());
+        query.putClientProperty(FlatClientProperties.PLACEHOLDER_TEXT, prompt.in(language));
+        query.getAccessibleContext().setAccessibleName(prompt.in(language));
+        Listeners.onText(query, this::refind);
+        query.addKeyListener(new KeyAdapter() {
+            @Override
+            public void keyPressed(KeyEvent event) {
+                pressed(event);
+            }
+        });
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new SearchCell<>(rows, rowPoints));
         list.setFixedCellHeight(UIScale.scale(rowPoints));
@@ -158,22 +182,19 @@ public final class SearchList<T> extends JPanel {
         refind();
     }
 
-    private final class Choosing extends KeyAdapter {
-        @Override
-        public void keyPressed(KeyEvent event) {
-            switch (event.getKeyCode()) {
-                case KeyEvent.VK_ENTER -> choose();
-                case KeyEvent.VK_ESCAPE -> done.accept(Optional.empty());
-                case KeyEvent.VK_DOWN -> step(1);
-                case KeyEvent.VK_UP -> step(-1);
-                case KeyEvent.VK_PAGE_DOWN -> step(list.getVisibleRowCount());
-                case KeyEvent.VK_PAGE_UP -> step(-list.getVisibleRowCount());
-                default -> {
-                    return;
-                }
+    private void pressed(KeyEvent event) {
+        switch (event.getKeyCode()) {
+            case KeyEvent.VK_ENTER -> choose();
+            case KeyEvent.VK_ESCAPE -> done.accept(Optional.empty());
+            case KeyEvent.VK_DOWN -> step(1);
+            case KeyEvent.VK_UP -> step(-1);
+            case KeyEvent.VK_PAGE_DOWN -> step(list.getVisibleRowCount());
+            case KeyEvent.VK_PAGE_UP -> step(-list.getVisibleRowCount());
+            default -> {
+                return;
             }
-            event.consume();
         }
+        event.consume();
     }
 
     private void refind() {

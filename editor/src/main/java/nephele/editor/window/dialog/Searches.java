@@ -11,8 +11,8 @@ import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorCommands;
 import nephele.editor.action.EditorKeys;
 import nephele.editor.action.KeyText;
-import nephele.editor.panel.model.PaletteModel;
-import nephele.editor.record.LevelStructure;
+import nephele.editor.panel.model.PaletteEntry;
+import nephele.editor.record.Entities;
 import nephele.engine.level.Language;
 
 /** The search lists of the editor. */
@@ -23,52 +23,46 @@ public final class Searches {
     public static SearchList<EditorCommand> commands(
             List<EditorCommand> commands, EditorKeys keys, Language language, Consumer<Optional<EditorCommand>> done) {
         return new SearchList<>(
-                new SearchList.Search<>(
-                        DialogText.SEARCH_COMMANDS,
-                        query -> EditorCommands.find(commands, query, language),
-                        command -> new SearchRow(
-                                command.title().in(language),
-                                command.menu().title().in(language),
-                                keys.of(command.id()).stream()
-                                        .findFirst()
-                                        .map(KeyText::text)
-                                        .orElse(""),
-                                null,
-                                command.isEnabled().getAsBoolean()),
-                        done),
+                DialogText.SEARCH_COMMANDS,
+                query -> EditorCommands.find(commands, query, language),
+                command -> new SearchList.Row(
+                        command.title().in(language),
+                        command.menu().title().in(language),
+                        keys.of(command.id()).stream()
+                                .findFirst()
+                                .map(KeyText::text)
+                                .orElse(""),
+                        null,
+                        command.isEnabled().getAsBoolean()),
+                done,
                 language);
     }
 
     /** Returns the search over all kinds of entities that a level can have. */
-    public static SearchList<PaletteModel.Entry> kinds(Language language, Consumer<Optional<PaletteModel.Entry>> done) {
-        List<PaletteModel.Entry> all = PaletteModel.entries(LevelStructure.LEVEL);
+    public static SearchList<PaletteEntry> kinds(Language language, Consumer<Optional<PaletteEntry>> done) {
+        List<PaletteEntry> all = PaletteEntry.all(Entities.LEVEL);
         return new SearchList<>(
-                new SearchList.Search<>(
-                        DialogText.SEARCH_KINDS,
-                        query -> all.stream()
-                                .filter(entry -> hasWords(
-                                        query,
-                                        entry.words().in(language),
-                                        entry.words().english(),
-                                        entry.section()))
-                                .toList(),
-                        entry -> SearchRow.of(
-                                entry.words().in(language), entry.sectionWords().in(language)),
-                        done),
+                DialogText.SEARCH_KINDS,
+                query -> all.stream()
+                        .filter(entry -> hasWords(
+                                query, entry.words().in(language), entry.words().english(), entry.section()))
+                        .toList(),
+                entry -> SearchList.Row.of(
+                        entry.words().in(language), entry.sectionWords().in(language)),
+                done,
                 language);
     }
 
     /** Returns the search over files, by name, with the folder of each. */
     public static SearchList<Path> files(List<Path> files, Language language, Consumer<Optional<Path>> done) {
         return new SearchList<>(
-                new SearchList.Search<>(
-                        DialogText.SEARCH_FILES,
-                        query -> files.stream()
-                                .filter(file -> hasWords(query, file.toString()))
-                                .toList(),
-                        file -> SearchRow.of(
-                                file.getFileName().toString(), file.getParent().toString()),
-                        done),
+                DialogText.SEARCH_FILES,
+                query -> files.stream()
+                        .filter(file -> hasWords(query, file.toString()))
+                        .toList(),
+                file -> SearchList.Row.of(
+                        file.getFileName().toString(), file.getParent().toString()),
+                done,
                 language);
     }
 

@@ -11,7 +11,7 @@ import javax.swing.JPanel;
 import nephele.editor.file.BackupList;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
-import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.Listeners;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -20,45 +20,40 @@ public final class BackupsPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
     private final transient BackupList backups;
-    private final transient Answers answers;
+    private final transient BooleanSupplier mayLeave;
+    private final transient Consumer<Words> refused;
+    private final transient Runnable done;
     private final PicturedList list;
     private final JButton restore;
 
     /**
-     * The services that the dialogue gives its panel.
-     *
      * @param mayLeave false if the user wants to stay with the level that is open
-     * @param tell receives what could not be done
+     * @param refused receives what could not be done
      * @param done closes the dialogue
      */
-    public record Answers(BooleanSupplier mayLeave, Consumer<Words> tell, Runnable done) {}
-
-    /** Something that is done with the version of a row. */
-    @FunctionalInterface
-    private interface Effect {
-        void on(int index) throws EditorRefusal;
-    }
-
-    public BackupsPanel(BackupList backups, Language language, Answers answers) {
+    public BackupsPanel(
+            BackupList backups, Language language, BooleanSupplier mayLeave, Consumer<Words> refused, Runnable done) {
         super(new MigLayout("insets 14, fill, wrap 1", "[grow, fill]", "[][grow, fill]14[]"));
         this.backups = backups;
-        this.answers = answers;
+        this.mayLeave = mayLeave;
+        this.refused = refused;
+        this.done = done;
         list = new PicturedList(FileDialogText.VERSIONS.words(), language, this::picture);
-        restore = FileButton.of(FileDialogText.RESTORE, language, this::restore);
-        JButton copy = FileButton.of(FileDialogText.OPEN_COPY, language, this::openCopy);
+        restore = list.button(FileDialogText.RESTORE, this::restore);
+        JButton copy = list.button(FileDialogText.OPEN_COPY, this::openCopy);
         boolean isEmpty = backups.rows().isEmpty();
         restore.setEnabled(!isEmpty);
         copy.setEnabled(!isEmpty);
         add(new JLabel((isEmpty ? FileDialogText.NO_BACKUPS : FileDialogText.BACKUPS_INTRO).in(language)));
         add(list);
         JPanel buttons = new JPanel(new MigLayout("insets 0", "push[][][]"));
-        buttons.add(FileButton.of(FileDialogText.CLOSE, language, answers.done()));
+        buttons.add(list.button(FileDialogText.CLOSE, done));
         buttons.add(copy);
         buttons.add(restore);
         add(buttons);
-        ComponentKeys.bind(this, "ESCAPE", answers.done());
-        ComponentKeys.bind(list.rowList(), "ENTER", this::restore);
-        DoubleClick.on(list.rowList(), this::restore);
+        Listeners.onKey(this, "ESCAPE", done);
+        Listeners.onKey(list.rowList(), "ENTER", this::restore);
+        Listeners.onDoubleClick(list.rowList(), this::restore);
         list.show(backups.rows());
     }
 
@@ -73,24 +68,29 @@ public final class BackupsPanel extends JPanel {
     }
 
     private void restore() {
-        act(backups::restore);
+        take(false);
     }
 
     private void openCopy() {
-        if (answers.mayLeave().getAsBoolean()) {
-            act(backups::openCopy);
+        if (mayLeave.getAsBoolean()) {
+            take(true);
         }
     }
 
-    private void act(Effect effect) {
-        if (list.selected() < 0) {
+    private void take(boolean asCopy) {
+        int index = list.selected();
+        if (index < 0) {
             return;
         }
         try {
-            effect.on(list.selected());
-            answers.done().run();
+            if (asCopy) {
+                backups.openCopy(index);
+            } else {
+                backups.restore(index);
+            }
+            done.run();
         } catch (EditorRefusal refusal) {
-            answers.tell().accept(refusal.words());
+            refused.accept(refusal.words());
         }
     }
 

@@ -1,10 +1,10 @@
 package nephele.editor.window.file;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of the dialogues about files in English, Brazilian and European Portuguese. */
-enum FileDialogText {
+enum FileDialogText implements Text {
     RECOVER_TITLE("Recover lost work", "Recuperar trabalho perdido", "Recuperar trabalho perdido"),
     RECOVER_INTRO(
             "The editor ended before these levels were saved:",
@@ -40,11 +40,8 @@ enum FileDialogText {
         words = Words.of(english, brazilian, european);
     }
 
-    Words words() {
+    @Override
+    public Words words() {
         return words;
-    }
-
-    String in(Language language, Object... values) {
-        return (values.length == 0 ? words : words.with(values)).in(language);
     }
 }

@@ -10,6 +10,7 @@ import java.awt.dnd.DropTarget;
 import java.awt.dnd.DropTargetAdapter;
 import java.awt.dnd.DropTargetDragEvent;
 import java.awt.dnd.DropTargetDropEvent;
+import java.awt.dnd.DropTargetListener;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -24,7 +25,6 @@ import nephele.editor.document.Selection.FaceRef;
 import nephele.editor.file.DroppedFile;
 import nephele.editor.file.DroppedFile.Kind;
 import nephele.editor.file.DroppedFile.SceneUse;
-import nephele.editor.file.DroppedFile.Target;
 import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
@@ -35,7 +35,7 @@ import nephele.editor.window.viewport.ViewportPanel;
 import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 
-/** Takes files that are dropped on the window; those that can't be used are told of together. */
+/** Takes files that are dropped on the window; those that can't be used are reported together. */
 public final class FileDrops {
     private final EditorSession session;
     private final ViewportPanel viewport;
@@ -68,33 +68,31 @@ public final class FileDrops {
 
     /** Accepts drops on a component and all inside of it. */
     void accept(Component component) {
-        component.setDropTarget(new DropTarget(component, DnDConstants.ACTION_COPY, new Drops()));
-    }
-
-    /** The events of the system. */
-    private final class Drops extends DropTargetAdapter {
-        @Override
-        public void dragEnter(DropTargetDragEvent event) {
-            if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
-                event.rejectDrag();
+        DropTargetListener drops = new DropTargetAdapter() {
+            @Override
+            public void dragEnter(DropTargetDragEvent event) {
+                if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+                    event.rejectDrag();
+                }
             }
-        }
 
-        @Override
-        public void drop(DropTargetDropEvent event) {
-            if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
-                event.rejectDrop();
-                return;
+            @Override
+            public void drop(DropTargetDropEvent event) {
+                if (!event.isDataFlavorSupported(DataFlavor.javaFileListFlavor)) {
+                    event.rejectDrop();
+                    return;
+                }
+                event.acceptDrop(DnDConstants.ACTION_COPY);
+                List<Path> files = files(event.getTransferable());
+                event.dropComplete(!files.isEmpty());
+                Component surface = viewport.surface().component();
+                Point at = SwingUtilities.convertPoint(
+                        event.getDropTargetContext().getComponent(), event.getLocation(), surface);
+                // The source waits until the drop is complete: questions come after it.
+                SwingUtilities.invokeLater(() -> FileDrops.this.drop(files, at));
             }
-            event.acceptDrop(DnDConstants.ACTION_COPY);
-            List<Path> files = files(event.getTransferable());
-            event.dropComplete(!files.isEmpty());
-            Component surface = viewport.surface().component();
-            Point at = SwingUtilities.convertPoint(
-                    event.getDropTargetContext().getComponent(), event.getLocation(), surface);
-            // The source waits until the drop is complete: questions come after it.
-            SwingUtilities.invokeLater(() -> FileDrops.this.drop(files, at));
-        }
+        };
+        component.setDropTarget(new DropTarget(component, DnDConstants.ACTION_COPY, drops));
     }
 
     private static List<Path> files(Transferable dropped) {
@@ -134,18 +132,14 @@ public final class FileDrops {
         boolean isReplaced = kind.replacesLevel() || kind == Kind.SCENE && use.equals(Optional.of(SceneUse.REPLACE));
         if (use.isPresent() && (!isReplaced || mayLeave.getAsBoolean())) {
             session.tool().cancel();
-            new DroppedFile(session, file).dropOn(target(at), use.get());
+            boolean isInside = viewport.surface().component().contains(at);
+            Optional<Pointer> pointer = isInside ? viewport.pointer(at) : Optional.empty();
+            Optional<FaceRef> face = pointer.flatMap(each -> FacesUnderPointer.at(session.context(), each));
+            Vec3 place = pointer.flatMap(each -> PointedPlace.under(session.context(), each))
+                    .map(each -> each.snapped(session.context()).point())
+                    .orElse(Vec3.ZERO);
+            new DroppedFile(session, file).dropOn(place, face, use.get());
         }
-    }
-
-    private Target target(Point at) {
-        boolean isInside = viewport.surface().component().contains(at);
-        Optional<Pointer> pointer = isInside ? viewport.pointer(at) : Optional.empty();
-        Optional<FaceRef> face = pointer.flatMap(each -> FacesUnderPointer.at(session.context(), each));
-        Vec3 place = pointer.flatMap(each -> PointedPlace.under(session.context(), each))
-                .map(each -> each.snapped(session.context()).point())
-                .orElse(Vec3.ZERO);
-        return new Target(place, face);
     }
 
     private static String joined(List<Words> all, Language language) {

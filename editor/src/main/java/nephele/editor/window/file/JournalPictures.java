@@ -49,8 +49,8 @@ final class JournalPictures implements AutoCloseable {
         if (session.document().isDragging()) {
             timer.restart();
         } else {
-            viewport.surface().shown().ifPresent(seen -> {
-                BufferedImage small = small(seen, place());
+            viewport.surface().visible().ifPresent(picture -> {
+                BufferedImage small = small(picture, place());
                 background.execute(() -> keep.accept(png(small)));
             });
         }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 import javax.swing.DefaultListModel;
 import javax.swing.ImageIcon;
+import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -22,7 +23,7 @@ import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import net.miginfocom.swing.MigLayout;
 
-/** A list of versions of levels, with the picture and the place of the selected one beside it. */
+/** A list of versions of levels, with the picture and the place of the selected one beside it, and its buttons. */
 final class PicturedList extends JPanel {
     private static final long serialVersionUID = 1;
     static final int PICTURE_WIDTH = 320;
@@ -61,11 +62,11 @@ final class PicturedList extends JPanel {
     }
 
     /** Shows other rows, and keeps the place of the selection as far as possible. */
-    void show(List<FileRow> shown) {
+    void show(List<FileRow> next) {
         int selected = Math.max(0, list.getSelectedIndex());
         rows.clear();
-        shown.forEach(rows::addElement);
-        list.setSelectedIndex(Math.min(selected, shown.size() - 1));
+        next.forEach(rows::addElement);
+        list.setSelectedIndex(Math.min(selected, next.size() - 1));
         showSelected();
     }
 
@@ -77,13 +78,22 @@ final class PicturedList extends JPanel {
         return list;
     }
 
+    /** Returns a button with a text, by whose constant it is named, that runs an effect. */
+    JButton button(FileDialogText text, Runnable effect) {
+        JButton button = new JButton(text.in(language));
+        button.setName(text.name());
+        button.addActionListener(event -> effect.run());
+        return button;
+    }
+
     private void showSelected() {
         int index = list.getSelectedIndex();
         Optional<BufferedImage> image = index < 0 ? Optional.empty() : pictures.apply(index);
         picture.setIcon(image.map(PicturedList::icon).orElse(null));
         picture.setText(image.isPresent() ? "" : FileDialogText.NO_PICTURE.in(language));
         String title = index < 0 ? "" : rows.get(index).title().in(language);
-        picture.getAccessibleContext().setAccessibleName(FileDialogText.PICTURE_OF.in(language, title));
+        picture.getAccessibleContext()
+                .setAccessibleName(FileDialogText.PICTURE_OF.with(title).in(language));
         String path = index < 0 ? "" : rows.get(index).place().in(language);
         place.setText(path.isEmpty() ? " " : path);
         place.setToolTipText(path.isEmpty() ? null : path);
@@ -98,23 +108,17 @@ final class PicturedList extends JPanel {
         return new ImageIcon(image.getScaledInstance(width, height, Image.SCALE_SMOOTH));
     }
 
-    /** Lays itself out without a window, too, as for pictures of the dialogue. */
-    private static final class Cell extends JPanel {
-        private static final long serialVersionUID = 1;
-
-        Cell() {
-            super(new MigLayout("insets 5 8 5 8, fillx, wrap 1, gapy 1", "[0:pref:, grow]"));
-        }
-
-        @Override
-        public void validate() {
-            super.validate();
-            doLayout();
-        }
-    }
-
     private Component cell(FileRow row, boolean isSelected) {
-        JPanel cell = new Cell();
+        JPanel cell = new JPanel(new MigLayout("insets 5 8 5 8, fillx, wrap 1, gapy 1", "[0:pref:, grow]")) {
+            private static final long serialVersionUID = 1;
+
+            /** Lays itself out without a window, too, as for pictures of the dialogue. */
+            @Override
+            public void validate() {
+                super.validate();
+                doLayout();
+            }
+        };
         cell.setBackground(isSelected ? list.getSelectionBackground() : list.getBackground());
         JLabel title = new JLabel(row.title().in(language));
         title.putClientProperty(FlatClientProperties.STYLE, "font: bold");

@@ -15,7 +15,7 @@ import nephele.editor.file.FileRow;
 import nephele.editor.file.RecoveryList;
 import nephele.editor.save.journal.RecoverableWork;
 import nephele.editor.text.Words;
-import nephele.editor.widget.ComponentKeys;
+import nephele.editor.widget.Listeners;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -27,29 +27,30 @@ public final class RecoveryPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
     private final transient RecoveryList lost;
-    private final transient Answers answers;
+    private final transient Predicate<Words> isAgreed;
+    private final transient BooleanSupplier mayLeave;
+    private final transient Runnable done;
     private final transient Language language;
     private final PicturedList list;
     private final JButton recover;
 
     /**
-     * The services that the dialogue gives its panel.
-     *
      * @param isAgreed asks a question with yes and no
      * @param mayLeave false if the user wants to stay with the level that is open
      * @param done closes the dialogue
      */
-    public record Answers(Predicate<Words> isAgreed, BooleanSupplier mayLeave, Runnable done) {}
-
-    public RecoveryPanel(RecoveryList lost, Language language, Answers answers) {
+    public RecoveryPanel(
+            RecoveryList lost, Language language, Predicate<Words> isAgreed, BooleanSupplier mayLeave, Runnable done) {
         super(new MigLayout("insets 14, fill, wrap 1", "[grow, fill]", "[][grow, fill]14[]"));
         this.lost = lost;
-        this.answers = answers;
+        this.isAgreed = isAgreed;
+        this.mayLeave = mayLeave;
+        this.done = done;
         this.language = language;
         list = new PicturedList(FileDialogText.LOST_WORK.words(), language, this::picture);
-        recover = FileButton.of(FileDialogText.RECOVER, language, this::recover);
-        JButton discard = FileButton.of(FileDialogText.DISCARD, language, this::discard);
-        JButton later = FileButton.of(FileDialogText.LATER, language, answers.done());
+        recover = list.button(FileDialogText.RECOVER, this::recover);
+        JButton discard = list.button(FileDialogText.DISCARD, this::discard);
+        JButton later = list.button(FileDialogText.LATER, done);
         add(new JLabel(FileDialogText.RECOVER_INTRO.in(language)));
         add(list);
         JPanel buttons = new JPanel(new MigLayout("insets 0", "[]push[][]"));
@@ -57,10 +58,10 @@ public final class RecoveryPanel extends JPanel {
         buttons.add(later);
         buttons.add(recover);
         add(buttons);
-        ComponentKeys.bind(this, "ESCAPE", answers.done());
-        ComponentKeys.bind(list.rowList(), "DELETE", this::discard);
-        ComponentKeys.bind(list.rowList(), "ENTER", this::recover);
-        DoubleClick.on(list.rowList(), this::recover);
+        Listeners.onKey(this, "ESCAPE", done);
+        Listeners.onKey(list.rowList(), "DELETE", this::discard);
+        Listeners.onKey(list.rowList(), "ENTER", this::recover);
+        Listeners.onDoubleClick(list.rowList(), this::recover);
         getAccessibleContext().setAccessibleName(FileDialogText.RECOVER_TITLE.in(language));
         list.show(lost.rows());
     }
@@ -76,9 +77,9 @@ public final class RecoveryPanel extends JPanel {
     }
 
     private void recover() {
-        if (list.selected() >= 0 && answers.mayLeave().getAsBoolean()) {
+        if (list.selected() >= 0 && mayLeave.getAsBoolean()) {
             int index = list.selected();
-            answers.done().run();
+            done.run();
             lost.recover(index);
         }
     }
@@ -89,13 +90,12 @@ public final class RecoveryPanel extends JPanel {
             return;
         }
         FileRow row = lost.rows().get(index);
-        Words question =
-                FileDialogText.DISCARD_QUESTION.words().with(row.title().in(language));
-        if (answers.isAgreed().test(question)) {
+        Words question = FileDialogText.DISCARD_QUESTION.with(row.title().in(language));
+        if (isAgreed.test(question)) {
             lost.discard(index);
             list.show(lost.rows());
             if (lost.works().isEmpty()) {
-                answers.done().run();
+                done.run();
             }
         }
     }

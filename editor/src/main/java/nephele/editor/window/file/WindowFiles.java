@@ -55,12 +55,12 @@ public final class WindowFiles implements AutoCloseable {
         this.window = window;
         this.ui = ui;
         questions = new SwingQuestions(window);
-        journal = journals == null ? null : new SessionJournal(session, journals, this::tellSoon);
+        journal = journals == null ? null : new SessionJournal(session, journals, this::reportSoon);
         pictures =
                 journal == null ? null : new JournalPictures(session, panel.viewport(), background, journal::picture);
-        var changes = new OutsideChanges(session, new Asked());
-        watch = new SessionWatch(session, changes, new SessionWatch.Threads(SwingUtilities::invokeLater, background));
-        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::tell, ui::sceneUse);
+        var changes = new OutsideChanges(session, this::isMineKept, this::warn);
+        watch = new SessionWatch(session, changes, SwingUtilities::invokeLater, background);
+        var drops = new FileDrops(session, panel.viewport(), this::mayLeave, this::report, ui::sceneUse);
         drops.accept(panel);
         drops.accept(panel.viewport().surface().component());
         ui.part("backups", this::showBackups);
@@ -72,7 +72,7 @@ public final class WindowFiles implements AutoCloseable {
         findLost(false);
     }
 
-    private void tellSoon(Words words) {
+    private void reportSoon(Words words) {
         SwingUtilities.invokeLater(() -> session.status(words));
     }
 
@@ -80,29 +80,21 @@ public final class WindowFiles implements AutoCloseable {
         return !session.document().isModified() || ui.isAgreed(FileText.LOSES.words());
     }
 
-    private void tell(Words message) {
+    private void report(Words message) {
         session.status(message);
-        questions.tell(message.in(session.language()), session.language());
+        warn(message);
     }
 
-    /** Asks in dialogues. */
-    private final class Asked implements OutsideChanges.Voice {
-        @Override
-        public boolean isMineKept(Words question) {
-            Language language = session.language();
-            // A dialogue that is closed loads nothing: the user's own version is the safe answer.
-            int chosen = questions.choice(
-                    question.in(language),
-                    language,
-                    FileText.KEEP_MINE.in(language),
-                    FileText.LOAD_THEIRS.in(language));
-            return chosen != 1;
-        }
+    private void warn(Words message) {
+        questions.warn(message.in(session.language()), session.language());
+    }
 
-        @Override
-        public void tell(Words message) {
-            questions.tell(message.in(session.language()), session.language());
-        }
+    private boolean isMineKept(Words question) {
+        Language language = session.language();
+        // A dialogue that is closed loads nothing: the user's own version is the safe answer.
+        int chosen = questions.choice(
+                question.in(language), language, FileText.KEEP_MINE.in(language), FileText.LOAD_THEIRS.in(language));
+        return chosen != 1;
     }
 
     /** Reads the journals in the background: the window does not wait for them. */
@@ -125,18 +117,21 @@ public final class WindowFiles implements AutoCloseable {
         }
         RecoveryList lost = new RecoveryList(journal, works, Instant.now(), ZoneId.systemDefault());
         JDialog dialog = dialog(FileDialogText.RECOVER_TITLE.in(session.language()));
-        RecoveryPanel panel = new RecoveryPanel(
-                lost, session.language(), new RecoveryPanel.Answers(ui::isAgreed, this::mayLeave, dialog::dispose));
+        RecoveryPanel panel =
+                new RecoveryPanel(lost, session.language(), ui::isAgreed, this::mayLeave, dialog::dispose);
         show(dialog, panel, panel.recoverButton(), panel.rows());
     }
 
     private void showBackups() {
-        JDialog dialog = dialog(FileDialogText.BACKUPS_TITLE.in(
-                session.language(), session.file().path().orElseThrow().getFileName()));
+        JDialog dialog = dialog(FileDialogText.BACKUPS_TITLE
+                .with(session.file().path().orElseThrow().getFileName())
+                .in(session.language()));
         BackupsPanel panel = new BackupsPanel(
                 new BackupList(session, Instant.now(), ZoneId.systemDefault()),
                 session.language(),
-                new BackupsPanel.Answers(this::mayLeave, this::tell, dialog::dispose));
+                this::mayLeave,
+                this::report,
+                dialog::dispose);
         show(dialog, panel, panel.restoreButton(), panel.rows());
     }
 

@@ -1,6 +1,5 @@
 package nephele.editor.window.page;
 
-import java.awt.Component;
 import java.awt.Desktop;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
@@ -9,15 +8,14 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
+import nephele.editor.widget.WordCell;
 import nephele.engine.level.Language;
 import net.miginfocom.swing.MigLayout;
 
@@ -60,16 +58,7 @@ final class GeneralPage extends JPanel {
             combo.addItem(now);
         }
         combo.setSelectedItem(now);
-        combo.setRenderer(new DefaultListCellRenderer() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            @SuppressWarnings("unchecked") // only values of this setting are in the list
-            public Component getListCellRendererComponent(
-                    JList<?> list, Object value, int index, boolean isSelected, boolean hasFocus) {
-                return super.getListCellRendererComponent(list, text.apply((T) value), index, isSelected, hasFocus);
-            }
-        });
+        combo.setRenderer(new WordCell<>(text));
         combo.setName(setting.key());
         combo.addActionListener(event -> set(setting, combo));
         JLabel label = new JLabel(name.in(session.language()));
@@ -90,7 +79,7 @@ final class GeneralPage extends JPanel {
 
     /** Opens the folder in the user's file manager, or at least tells where it is. */
     private void open(Path place) {
-        folder.setText(PageText.FOLDER_IS.in(session.language(), place));
+        folder.setText(PageText.FOLDER_IS.with(place).in(session.language()));
         folder.setToolTipText(place.toString());
         boolean canOpen = !GraphicsEnvironment.isHeadless()
                 && Desktop.isDesktopSupported()

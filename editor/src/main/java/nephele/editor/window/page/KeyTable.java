@@ -5,7 +5,6 @@ import java.util.stream.Collectors;
 import javax.swing.table.AbstractTableModel;
 import nephele.editor.action.EditorCommand;
 import nephele.editor.action.EditorKeys;
-import nephele.editor.action.EditorKeys.KeyConflict;
 import nephele.editor.action.KeyText;
 import nephele.editor.window.dialog.Searches;
 import nephele.engine.level.Language;
@@ -19,7 +18,7 @@ final class KeyTable extends AbstractTableModel {
             List.of(PageText.ACTION, PageText.MENU, PageText.KEYS, PageText.CONFLICT);
 
     private final transient List<EditorCommand> commands;
-    private transient List<EditorCommand> shown = List.of();
+    private transient List<EditorCommand> listed = List.of();
     private transient EditorKeys keys;
     private transient Language language = Language.EN;
     private String filter = "";
@@ -38,7 +37,7 @@ final class KeyTable extends AbstractTableModel {
     /** Shows the actions whose title, menu or keys have all words. */
     void filter(String words) {
         filter = words;
-        shown = commands.stream()
+        listed = commands.stream()
                 .filter(command -> Searches.hasWords(
                         words,
                         command.title().in(language),
@@ -50,20 +49,20 @@ final class KeyTable extends AbstractTableModel {
     }
 
     EditorCommand command(int row) {
-        return shown.get(row);
+        return listed.get(row);
     }
 
     int row(EditorCommand command) {
-        return shown.indexOf(command);
+        return listed.indexOf(command);
     }
 
     boolean hasConflict(int row) {
-        return !conflictText(shown.get(row)).isEmpty();
+        return !conflictText(listed.get(row)).isEmpty();
     }
 
     @Override
     public int getRowCount() {
-        return shown.size();
+        return listed.size();
     }
 
     @Override
@@ -78,7 +77,7 @@ final class KeyTable extends AbstractTableModel {
 
     @Override
     public Object getValueAt(int row, int column) {
-        EditorCommand command = shown.get(row);
+        EditorCommand command = listed.get(row);
         return switch (column) {
             case 0 -> command.title().in(language);
             case 1 -> command.menu().title().in(language);
@@ -92,15 +91,17 @@ final class KeyTable extends AbstractTableModel {
     }
 
     private String conflictText(EditorCommand command) {
-        return keys.conflicts().stream()
-                .filter(conflict -> conflict.commands().contains(command.id()))
-                .map(conflict -> PageText.ALSO.in(language, conflict.key().text(), others(conflict, command)))
+        return keys.conflicts().entrySet().stream()
+                .filter(conflict -> conflict.getValue().contains(command.id()))
+                .map(conflict -> PageText.ALSO
+                        .with(conflict.getKey().text(), others(conflict.getValue(), command))
+                        .in(language))
                 .collect(Collectors.joining("; "));
     }
 
-    private String others(KeyConflict conflict, EditorCommand command) {
+    private String others(List<String> rivals, EditorCommand command) {
         return commands.stream()
-                .filter(other -> other != command && conflict.commands().contains(other.id()))
+                .filter(other -> other != command && rivals.contains(other.id()))
                 .map(other -> other.title().in(language))
                 .collect(Collectors.joining(", "));
     }

@@ -1,10 +1,10 @@
 package nephele.editor.window.page;
 
+import nephele.editor.text.Text;
 import nephele.editor.text.Words;
-import nephele.engine.level.Language;
 
 /** A text of the settings page in English, Brazilian and European Portuguese. */
-public enum PageText {
+public enum PageText implements Text {
     SETTINGS("Settings", "Configurações", "Definições"),
     GENERAL("General", "Geral", "Geral"),
     KEYS("Keys", "Teclas", "Teclas"),
@@ -45,12 +45,8 @@ public enum PageText {
         words = Words.of(english, brazilian, european);
     }
 
-    /** Returns the text with its values filled in. */
-    public String in(Language language, Object... values) {
-        return (values.length == 0 ? words : words.with(values)).in(language);
-    }
-
-    Words words() {
+    @Override
+    public Words words() {
         return words;
     }
 }

@@ -39,13 +39,13 @@ public final class SettingsPage extends JPanel {
         fill(Tab.GENERAL);
     }
 
-    private void fill(Tab shown) {
+    private void fill(Tab tab) {
         removeAll();
         keys = new KeysPage(session, commands);
         tabs = new JTabbedPane();
         tabs.addTab(PageText.GENERAL.in(session.language()), new GeneralPage(session, settingsFile, this::restyle));
         tabs.addTab(PageText.KEYS.in(session.language()), keys);
-        tabs.setSelectedIndex(shown.ordinal());
+        tabs.setSelectedIndex(tab.ordinal());
         JButton end = new JButton(PageText.CLOSE.in(session.language()));
         end.addActionListener(event -> close.run());
         JPanel bottom = new JPanel(new MigLayout("insets 8 14 12 14", "push[]"));

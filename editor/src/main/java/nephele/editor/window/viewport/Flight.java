@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import javax.swing.Timer;
-import nephele.editor.pane.PerspectiveCamera.FlightKeys;
+import nephele.engine.math.Vec3;
 
 /** Flight of the camera by W, A, S, D, E and Q, by their places on the keyboard, while the right button is held. */
 final class Flight {
@@ -28,8 +28,8 @@ final class Flight {
     private long lastNanos;
     private boolean isOn;
 
-    /** @param move receives the keys and the distance that full speed covers since the last call, in metres */
-    Flight(BiConsumer<FlightKeys, Double> move) {
+    /** @param move receives the keys held to the right, up and forward, and the distance that full speed covers since the last call, in metres */
+    Flight(BiConsumer<Vec3, Double> move) {
         timer = new Timer(TICK_MILLIS, tick -> {
             long now = System.nanoTime();
             double seconds = Math.min(LONGEST_TICK_SECONDS, (now - lastNanos) * 1e-9);
@@ -79,8 +79,8 @@ final class Flight {
         return true;
     }
 
-    private FlightKeys keys() {
-        return new FlightKeys(
+    private Vec3 keys() {
+        return new Vec3(
                 axis(KeyEvent.VK_D, KeyEvent.VK_A),
                 axis(KeyEvent.VK_E, KeyEvent.VK_Q),
                 axis(KeyEvent.VK_W, KeyEvent.VK_S));

@@ -42,17 +42,12 @@ final class SessionMarks {
     private PlacedModels models = PlacedModels.NONE;
 
     /** The state of a session that is marked. @param others the marks of the tool and of proofs */
-    record Marked(Snapshot now, LevelShapes shapes, Entities entities, AssetSource assets, List<Mark> others) {
+    record Marked(Snapshot now, LevelShapes shapes, AssetSource assets, List<Mark> others) {
         /** Takes it on the session's thread. */
         static Marked of(EditorSession session) {
             List<Mark> others = new ArrayList<>(session.tool().marks());
             others.addAll(session.proving().marks());
-            return new Marked(
-                    session.document().now(),
-                    session.context().shapes(),
-                    session.document().entities(),
-                    session.assets(),
-                    others);
+            return new Marked(session.document().now(), session.context().shapes(), session.assets(), others);
         }
 
         private boolean isSame(Marked other) {
@@ -79,7 +74,7 @@ final class SessionMarks {
         StaticShapes statics = new StaticShapes(shapes.brushes(), models(level, marked.assets()), List.of());
         List<Mark> made = new ArrayList<>(EntityMarks.of(level, statics, names));
         for (EntityRef ref : selection.entities()) {
-            marked.entities().find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
+            Entities.LEVEL.find(level, ref).ifPresent(entity -> addSelected(entity, shapes, made));
         }
         selection.faces().forEach(face -> addFace(face, level, shapes, made));
         return List.copyOf(made);
@@ -103,7 +98,8 @@ final class SessionMarks {
         if (entity instanceof Solid solid) {
             shapes.brush(solid).ifPresent(brush -> addEdges(brush, made));
         } else if (!(entity instanceof Body) && !(entity instanceof ModelPlacement)) {
-            addBox(EntityBounds.of(entity), made);
+            Aabb box = EntityBounds.of(entity);
+            made.addAll(box.isEmpty() ? List.of() : Mark.box(box, MarkColour.SELECTED, Visibility.ALWAYS));
         }
     }
 
@@ -126,19 +122,6 @@ final class SessionMarks {
 
     private static Mark line(Vec3 from, Vec3 to) {
         return new Mark.Line(from, to, MarkColour.SELECTED, Visibility.ALWAYS);
-    }
-
-    private static void addBox(Aabb box, List<Mark> made) {
-        if (box.isEmpty()) {
-            return;
-        }
-        for (int corner = 0; corner < 8; corner++) {
-            for (int axis = 1; axis < 8; axis <<= 1) {
-                if ((corner & axis) == 0) {
-                    made.add(line(box.corner(corner), box.corner(corner | axis)));
-                }
-            }
-        }
     }
 
     private static void addFace(FaceRef ref, Level level, LevelShapes shapes, List<Mark> made) {

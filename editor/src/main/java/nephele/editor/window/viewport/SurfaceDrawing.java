@@ -22,8 +22,8 @@ final class SurfaceDrawing {
     private RenderTarget target;
     private int[] fromBelow = {};
 
-    /** A picture that was drawn. @param told called on Swing's thread */
-    record Drawn(BufferedImage picture, Runnable told) {}
+    /** A picture that was drawn. @param afterwards called on Swing's thread */
+    record Drawn(BufferedImage picture, Runnable afterwards) {}
 
     SurfaceDrawing(SurfacePainter painter, Supplier<GlContext> contexts) {
         this.painter = painter;
@@ -42,11 +42,11 @@ final class SurfaceDrawing {
             target = RenderTarget.picture(gl, "viewport", PixelFormat.RGBA8, size.width(), size.height());
             fromBelow = new int[size.width() * size.height()];
         }
-        Runnable told = painting.draw(target);
+        Runnable afterwards = painting.draw(target);
         boolean fits = spare != null && spare.getWidth() == size.width() && spare.getHeight() == size.height();
         BufferedImage into = fits ? spare : new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
         read(((DataBufferInt) into.getRaster().getDataBuffer()).getData());
-        return new Drawn(into, told);
+        return new Drawn(into, afterwards);
     }
 
     private void read(int[] rows) {

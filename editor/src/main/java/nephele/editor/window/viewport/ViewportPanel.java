@@ -30,29 +30,33 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     private final transient Registration registration;
 
     /**
-     * The reports of the viewport to its window.
+     * Creates a viewport that follows the session.
      *
      * @param pointed receives the place under the pointer, empty outside
      * @param report receives a line for each thing that cannot be shown
      */
-    public record Told(Consumer<Optional<Vec3>> pointed, Consumer<String> report) {}
-
-    /** Creates a viewport that follows the session. */
-    public ViewportPanel(EditorSession session, Told reported) {
-        this(session, reported, ForkJoinPool.commonPool());
+    public ViewportPanel(EditorSession session, Consumer<Optional<Vec3>> pointed, Consumer<String> report) {
+        this(session, pointed, report, ForkJoinPool.commonPool());
     }
 
     /** @param background runs what takes long, such as the light of the sky */
-    ViewportPanel(EditorSession session, Told reported, Executor background) {
+    ViewportPanel(
+            EditorSession session, Consumer<Optional<Vec3>> pointed, Consumer<String> report, Executor background) {
         super(new BorderLayout());
-        scene = new ViewportScene(session, background, this::repaintSoon, reported.report());
+        scene = new ViewportScene(session, background, this::repaintSoon, report);
         surface = new ViewportSurface(scene, GlContext::offscreen);
         control = new ViewportControl(session, surface::size, place -> {
-            reported.pointed().accept(place);
+            pointed.accept(place);
             surface.repaintSoon();
         });
         surface.listen(control, new KeyAdapter() {});
-        surface.listen(new FocusOnPress(), new KeyAdapter() {});
+        MouseAdapter focusing = new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent event) {
+                surface.requestFocus();
+            }
+        };
+        surface.listen(focusing, new KeyAdapter() {});
         registration = session.listen(change -> {
             if (change != SessionChange.STATUS) {
                 surface.repaintSoon();
@@ -61,14 +65,6 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         setMinimumSize(new Dimension(80, 60));
         setPreferredSize(new Dimension(640, 400));
         add(surface.component());
-    }
-
-    /** Takes the keyboard when the viewport is clicked. */
-    private final class FocusOnPress extends MouseAdapter {
-        @Override
-        public void mousePressed(MouseEvent event) {
-            surface.requestFocus();
-        }
     }
 
     private void repaintSoon() {

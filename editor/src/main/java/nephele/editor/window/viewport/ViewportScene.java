@@ -31,6 +31,7 @@ import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.text.Words;
 import nephele.editor.window.viewport.SessionMarks.Marked;
+import nephele.editor.window.viewport.SurfacePainter.Painting;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
@@ -91,10 +92,10 @@ final class ViewportScene implements SurfacePainter {
             repaintSoon.run();
         }
         List<String> messages = List.copyOf(drawing.messages());
-        return () -> tell(messages);
+        return () -> reportNew(messages);
     }
 
-    private void tell(List<String> messages) {
+    private void reportNew(List<String> messages) {
         if (!messages.equals(reported)) {
             reported = messages;
             reported.forEach(report);
@@ -216,13 +217,13 @@ final class ViewportScene implements SurfacePainter {
                 ? ""
                 : traced.samples() == 0
                         ? ProvingText.TRACING.in(language)
-                        : ProvingText.TRACED.in(language, traced.samples());
+                        : ProvingText.TRACED.with(traced.samples()).in(language);
         return new PaneInset(
                 legend(session.proving().heat(), language), traced == null ? null : traced.picture(), caption);
     }
 
     private static List<LegendLine> legend(HeatOverlay heat, Language language) {
-        if (!heat.isShown()) {
+        if (!heat.isVisible()) {
             return List.of();
         }
         List<LegendLine> lines = new ArrayList<>();

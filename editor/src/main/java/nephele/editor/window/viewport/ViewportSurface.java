@@ -57,7 +57,7 @@ public final class ViewportSurface implements AutoCloseable {
     private SurfaceSize comingSize;
     private long comingSince;
     /** {@code null} before the first. */
-    private BufferedImage shown;
+    private BufferedImage visible;
     /** Drawn over by the next picture; {@code null} for none. */
     private BufferedImage spare;
 
@@ -100,9 +100,10 @@ public final class ViewportSurface implements AutoCloseable {
             }
             graphics.setColor(Color.BLACK);
             graphics.fillRect(0, 0, getWidth(), getHeight());
-            if (shown != null) {
+            if (visible != null) {
                 double scale = SurfaceSize.of(this).pixelsPerPoint();
-                ((Graphics2D) graphics).drawImage(shown, AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
+                ((Graphics2D) graphics)
+                        .drawImage(visible, AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
             }
             int seconds = coming == null ? 0 : (int) ((System.nanoTime() - comingSince) / 1_000_000_000L);
             if (seconds > 0) {
@@ -163,15 +164,15 @@ public final class ViewportSurface implements AutoCloseable {
         settle();
         SurfaceSize size = size();
         BufferedImage copy = new BufferedImage(size.width(), size.height(), BufferedImage.TYPE_INT_RGB);
-        if (shown != null) {
-            copy.getGraphics().drawImage(shown, 0, 0, null);
+        if (visible != null) {
+            copy.getGraphics().drawImage(visible, 0, 0, null);
         }
         return copy;
     }
 
     /** Returns a copy of the picture that is shown; empty before the first. */
-    public Optional<BufferedImage> shown() {
-        return Optional.ofNullable(shown).map(picture -> {
+    public Optional<BufferedImage> visible() {
+        return Optional.ofNullable(visible).map(picture -> {
             var copy = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
             picture.copyData(copy.getRaster());
             return copy;
@@ -213,9 +214,9 @@ public final class ViewportSurface implements AutoCloseable {
         }
         try {
             Drawn there = drawn.join();
-            spare = shown;
-            shown = there.picture();
-            there.told().run();
+            spare = visible;
+            visible = there.picture();
+            there.afterwards().run();
         } catch (CompletionException failed) {
             if (failed.getCause() instanceof Error error) {
                 throw error;

@@ -21,7 +21,7 @@ public record CellBox(Aabb box, int nx, int ny, int nz) {
         return Math.max(1, (int) Math.round(metres / cell));
     }
 
-    /** Returns the box with a share of the cells along each edge, at least 2. */
+    /** Returns the box with a fraction of the cells along each edge, at least 2. */
     public CellBox coarser(int divisor) {
         return new CellBox(box, fewer(nx, divisor), fewer(ny, divisor), fewer(nz, divisor));
     }

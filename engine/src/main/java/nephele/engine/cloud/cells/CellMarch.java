@@ -44,7 +44,6 @@ public final class CellMarch {
     private double sunlight;
     private double above;
     private double below;
-    private double lightAt;
     private double covered;
     private int fetches;
     private double lastDiffuse;
@@ -56,7 +55,20 @@ public final class CellMarch {
      * @param irradiance of the sun
      * @param above mean radiance of the upper half of the sky, {@code below} of the lower one
      */
-    public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {}
+    public record OutsideOfCloud(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {
+        /** Returns the greatest difference: radians of the sun's direction, and fractions of all light. */
+        public double difference(OutsideOfCloud other) {
+            if (other == this) {
+                return 0;
+            }
+            double turn = Math.atan2(towardsSun.cross(other.towardsSun).length(), towardsSun.dot(other.towardsSun));
+            double light = irradiance.length() + above.length() + below.length();
+            double changed = irradiance.minus(other.irradiance).length()
+                    + above.minus(other.above).length()
+                    + below.minus(other.below).length();
+            return Math.max(turn, changed / Math.max(1e-12, light));
+        }
+    }
 
     /** Creates a march whose focus is in the middle of the narrowest box. */
     public CellMarch(CellStack cloud, OutsideOfCloud outside) {
@@ -101,21 +113,20 @@ public final class CellMarch {
         above = 0;
         below = 0;
         covered = 0;
-        lightAt = 0;
         fetches = 0;
         StackSpan inside = span(ray);
         double start = Math.max(fromMetres, inside.fromMetres());
         double end = Math.min(toMetres, inside.toMetres());
         double turned = 2 - 2 * dot(ray, outside.towardsSun());
         double at = start;
-        double share = offset;
+        double fraction = offset;
         while (at < end && scaledTransmittance > OPAQUE) {
             double step = stepCells * Math.max(cloud.narrowest().shortest(), GROWTH * at);
             // The first step is cut, so that samples of other offsets lie between.
-            double to = Math.min(at + share * step, end);
+            double to = Math.min(at + fraction * step, end);
             step(ray, at, to, turned);
             at = to;
-            share = 1;
+            fraction = 1;
         }
         finish();
     }
@@ -155,7 +166,6 @@ public final class CellMarch {
         below += even * light[4];
         eyeDepth += depth;
         covered += transmittance * taken;
-        lightAt += transmittance * taken * middle;
         transmittance *= 1 - taken;
         scaledTransmittance *= 1 - scaledTaken;
     }
@@ -189,12 +199,12 @@ public final class CellMarch {
     }
 
     /** Mixes the light of a box into what has been found. */
-    private void findLight(int level, Ray ray, double at, double share) {
+    private void findLight(int level, Ray ray, double at, double fraction) {
         CellPlace place = lit.get(level);
         place(place, ray, at);
         for (int value = 0; value < LightCells.VALUES; value++) {
             double found = place.of(cloud.light().get(level).values(), LightCells.VALUES, value);
-            light[value] = share == 1 ? found : light[value] + share * (found - light[value]);
+            light[value] = fraction == 1 ? found : light[value] + fraction * (found - light[value]);
         }
     }
 
@@ -228,7 +238,6 @@ public final class CellMarch {
             below /= covered;
             transmittance = 0;
         }
-        lightAt = covered > 0 ? lightAt / covered : 0;
         sunlight = Math.max(0, sunlight);
     }
 
@@ -253,7 +262,7 @@ public final class CellMarch {
         return ray.directionX() * v.x() + ray.directionY() * v.y() + ray.directionZ() * v.z();
     }
 
-    /** Returns the share of the light behind the cloud that passes it. */
+    /** Returns the fraction of the light behind the cloud that passes it. */
     public double transmittance() {
         return transmittance;
     }
@@ -264,11 +273,6 @@ public final class CellMarch {
                 .scaled(sunlight)
                 .addScaled(above, outside.above())
                 .addScaled(below, outside.below());
-    }
-
-    /** Returns the distance of the cloud's visible part, metres. */
-    public double metres() {
-        return lightAt;
     }
 
     /** Returns how many densities were looked up. */

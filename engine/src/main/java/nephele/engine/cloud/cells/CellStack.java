@@ -103,6 +103,11 @@ public record CellStack(
         return density.get(0).greatestPerMetre();
     }
 
+    /** Returns the extinction that density 1 stands for when the cloud's weather has come wholly. */
+    public double wholePerMetre() {
+        return density.get(0).wholePerMetre();
+    }
+
     /**
      * Puts a slice of a box at this time and a later one as texels: density now, distance divided by {@link
      * DensityCells#FARTHEST}, what absorption leaves, density later.

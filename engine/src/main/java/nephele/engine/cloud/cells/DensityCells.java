@@ -19,17 +19,21 @@ public final class DensityCells {
     private final float[] densities;
     private final byte[] distances;
     private final double greatestPerMetre;
+    private final double wholePerMetre;
 
-    private DensityCells(CellBox cells, float[] densities, byte[] distances, double greatestPerMetre) {
+    private DensityCells(
+            CellBox cells, float[] densities, byte[] distances, double greatestPerMetre, double wholePerMetre) {
         this.cells = cells;
         this.densities = densities;
         this.distances = distances;
         this.greatestPerMetre = greatestPerMetre;
+        this.wholePerMetre = wholePerMetre;
     }
 
     private DensityCells(CellBox cells, float[] perMetre, double greatestPerMetre, float[] occupied) {
         this.cells = cells;
         this.greatestPerMetre = greatestPerMetre;
+        wholePerMetre = greatestPerMetre;
         densities = perMetre;
         for (int at = 0; at < perMetre.length && greatestPerMetre > 0; at++) {
             densities[at] = Math.round(255 * Math.min(1, perMetre[at] / greatestPerMetre)) / 255f;
@@ -37,36 +41,41 @@ public final class DensityCells {
         distances = emptyDistances(cells, occupied == null ? densities : occupied, FARTHEST);
     }
 
-    /**
-     * How a field is sampled.
-     *
-     * @param finestMetres size of what must not be missed between two samples
-     * @param greatestPerMetre what density 1 stands for; 0 for the greatest sample
-     */
-    public record Sampling(double finestMetres, double greatestPerMetre) {
-        /** Takes one sample a cell, and density 1 for the greatest. */
-        public static final Sampling PLAIN = new Sampling(Double.POSITIVE_INFINITY, 0);
-    }
-
-    /** A field whose columns are made of bodies in plan, by their depth inside of one. */
+    /** A field whose columns are made of bodies in plan, by their depth inside of one; by default all are inside. */
     public interface Columns {
         /** Returns the depth of a column. */
-        double depth(double x, double z);
+        default double depth(double x, double z) {
+            return 1;
+        }
 
         /** Returns an upper bound of the depths in a rectangle, given by its centre and half its sides. */
-        double greatestDepth(double x, double z, double halfX, double halfZ);
+        default double greatestDepth(double x, double z, double halfX, double halfZ) {
+            return 1;
+        }
 
         /** Returns the least depth at which there can be extinction between two heights. */
-        double leastDepth(double fromY, double toY);
+        default double leastDepth(double fromY, double toY) {
+            return 0;
+        }
 
         /** Returns the extinction at a point of a column. */
         double perMetre(double depth, double x, double y, double z);
     }
 
-    /** Samples a field on all processors. */
-    public static DensityCells of(ExtinctionField field, CellBox cells, Sampling sampling) {
-        float[] sampled = sampled(field, cells, sampling.finestMetres());
-        double scale = sampling.greatestPerMetre();
+    /** Samples a field on all processors, once a cell, with density 1 for the greatest sample. */
+    public static DensityCells of(ExtinctionField field, CellBox cells) {
+        return of(field, cells, Double.POSITIVE_INFINITY, 0);
+    }
+
+    /**
+     * Samples a field on all processors.
+     *
+     * @param finestMetres size of what must not be missed between two samples
+     * @param greatestPerMetre what density 1 stands for; 0 for the greatest sample
+     */
+    public static DensityCells of(ExtinctionField field, CellBox cells, double finestMetres, double greatestPerMetre) {
+        float[] sampled = sampled(field, cells, finestMetres);
+        double scale = greatestPerMetre;
         if (!(scale > 0)) {
             for (float value : sampled) {
                 scale = Math.max(scale, value);
@@ -76,7 +85,7 @@ public final class DensityCells {
     }
 
     /** Samples columns on all processors; they tell, too, where there can be any extinction. */
-    public static DensityCells of(Columns field, CellBox cells, Sampling sampling) {
+    public static DensityCells of(Columns field, CellBox cells, double finestMetres, double greatestPerMetre) {
         float[] perMetre = new float[cells.count()];
         float[] occupied = new float[cells.count()];
         double[] least = new double[cells.ny()];
@@ -91,10 +100,10 @@ public final class DensityCells {
                 for (int j = 0; j < cells.ny(); j++) {
                     occupied[cells.index(i, j, k)] = greatest > least[j] ? 1 : 0;
                 }
-                addColumn(field, cells, sampling.finestMetres(), least, perMetre, i, k);
+                addColumn(field, cells, finestMetres, least, perMetre, i, k);
             }
         });
-        return new DensityCells(cells, perMetre, sampling.greatestPerMetre(), occupied);
+        return new DensityCells(cells, perMetre, greatestPerMetre, occupied);
     }
 
     private static void addColumn(
@@ -152,23 +161,25 @@ public final class DensityCells {
         return (index + 0.5) / perEdge - 0.5;
     }
 
-    /** Returns the same densities with a share of the extinction. */
-    public DensityCells scaled(double share) {
-        return share == 1 ? this : new DensityCells(cells, densities, distances, share * greatestPerMetre);
+    /** Returns the same densities with a fraction of the extinction. */
+    public DensityCells scaled(double fraction) {
+        return fraction == 1
+                ? this
+                : new DensityCells(cells, densities, distances, fraction * greatestPerMetre, wholePerMetre);
     }
 
     public CellBox cells() {
         return cells;
     }
 
-    /** Returns true if there is no extinction anywhere. */
-    public boolean isEmpty() {
-        return greatestPerMetre == 0;
-    }
-
     /** Returns the extinction that density 1 stands for. */
     public double greatestPerMetre() {
         return greatestPerMetre;
+    }
+
+    /** Returns the extinction that density 1 stands for before it is scaled. */
+    public double wholePerMetre() {
+        return wholePerMetre;
     }
 
     /** Returns the density of a cell, 0 to 1. */

@@ -23,7 +23,7 @@ import nephele.engine.math.Vec3;
 final class DiffusionGrid {
     /** How far clear air conducts light, divided by the least edge of the box. */
     private static final double CLEAR_REACH = 0.2;
-    /** A share of the greatest extinction; where there is less, air is clear to a degree. */
+    /** A fraction of the greatest extinction; where there is less, air is clear to a degree. */
     private static final double CLEAR_BELOW = 0.01;
     /** Greatest D divided by the least edge of the box: in thin parts light goes straight. */
     private static final double GREATEST = 1;

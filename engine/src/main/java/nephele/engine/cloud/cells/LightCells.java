@@ -12,8 +12,8 @@ import nephele.engine.math.bvh.SpatialIndex;
 
 /** The light at the centres of cells of a cloud, for one direction of the sun. Immutable. */
 public final class LightCells {
-    /** Sun-ward depth, diffuse mean, diffuse slope, share from above, share from below. */
-    static final int VALUES = 5;
+    /** Numbers of a cell, see {@link CloudLight#put}. */
+    static final int VALUES = CloudLight.VALUES;
 
     /** The usual number of cells of density along each edge of a cell of light. */
     public static final int DIVISOR = 2;
@@ -33,11 +33,7 @@ public final class LightCells {
      * @param others clouds that shade it
      * @param divisor number of cells of density along each edge of a cell in which it is found
      */
-    public record Around(Vec3 towardsSun, List<ShadingCloud> others, int divisor) {
-        public static Around sun(Vec3 towardsSun) {
-            return new Around(towardsSun, List.of(), DIVISOR);
-        }
-    }
+    public record Around(Vec3 towardsSun, List<ShadingCloud> others, int divisor) {}
 
     /**
      * Computes the light in a box of a cloud on all processors.
@@ -56,7 +52,7 @@ public final class LightCells {
             for (int j = 0; j < cells.ny(); j++) {
                 for (int i = 0; i < cells.nx(); i++) {
                     if (isNear(dense, cells, around.divisor, i, j, k)) {
-                        put(values, VALUES * cells.index(i, j, k), found.at(i, j, k, physics, shades));
+                        found.put(i, j, k, physics, values, shades);
                     }
                 }
             }
@@ -103,7 +99,7 @@ public final class LightCells {
         }
 
         /** @param shades takes the depth of other clouds towards the sun; {@code null} if that is not wanted */
-        private CloudLight.AtPoint at(int i, int j, int k, CloudLight physics, float[] shades) {
+        private void put(int i, int j, int k, CloudLight physics, float[] values, float[] shades) {
             double x = cells.centreX(i);
             double y = cells.centreY(j);
             double z = cells.centreZ(k);
@@ -119,7 +115,7 @@ public final class LightCells {
                     shades[cells.index(i, j, k)] = (float) shade;
                 }
             }
-            return physics.at(axes, sunDepth, shadeDepth, axisCosine);
+            physics.put(axes, sunDepth, shadeDepth, axisCosine, values, VALUES * cells.index(i, j, k));
         }
 
         private AxisDepths axes(int i, int j, int k, double x, double y, double z) {
@@ -136,14 +132,6 @@ public final class LightCells {
         }
     }
 
-    private static void put(float[] values, int at, CloudLight.AtPoint light) {
-        values[at] = (float) light.sunDepth();
-        values[at + 1] = (float) light.diffuseMean();
-        values[at + 2] = (float) light.diffuseSlope();
-        values[at + 3] = (float) light.fromAbove();
-        values[at + 4] = (float) light.fromBelow();
-    }
-
     public CellBox cells() {
         return cells;
     }
@@ -152,7 +140,7 @@ public final class LightCells {
         return values;
     }
 
-    /** Puts a slice as texels: sun-ward depth, diffuse mean, diffuse slope, share from above. */
+    /** Puts a slice as texels: the first four numbers of each cell. */
     public void put(int k, FloatBuffer texels) {
         int first = VALUES * cells.index(0, 0, k);
         for (int n = 0; n < cells.nx() * cells.ny(); n++) {

@@ -50,12 +50,10 @@ public final class ShadingCloud {
 
         /** @param light unit, towards it */
         Vec3 direction(Vec3 light) {
-            return switch (this) {
-                case SKY -> new Vec3(0, 1, 0);
-                case GROUND -> new Vec3(0, -1, 0);
-                case LIGHT -> light;
-                case SHADE -> light.negated();
-            };
+            if (isUpright()) {
+                return new Vec3(0, this == SKY ? 1 : -1, 0);
+            }
+            return this == LIGHT ? light : light.negated();
         }
 
         boolean isUpright() {

@@ -8,7 +8,7 @@ import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.math.Vec3;
 
 /**
- * The share of a distant light that clouds take on its way to places, in nested boxes. A place is found by where the
+ * The fraction of a distant light that clouds take on its way to places, in nested boxes. A place is found by where the
  * light's ray to it crosses the base of the clouds, and by its height: all places of a ray below the clouds have one
  * value, however far below they are. The centres of the lowest cells are at the base, those of the highest at the top.
  * Immutable.
@@ -56,11 +56,11 @@ public final class SlantedShade {
      *
      * @param field in its own space
      * @param shift from places of the lattice to those of its space
-     * @param share of its extinction that its weather gives it
+     * @param fraction of its extinction that its weather gives it
      */
-    public record Caster(ExtinctionField field, Vec3 shift, double share) {
+    public record Caster(ExtinctionField field, Vec3 shift, double fraction) {
         double perMetre(double x, double y, double z) {
-            return share * field.perMetre(x + shift.x(), y + shift.y(), z + shift.z());
+            return fraction * field.perMetre(x + shift.x(), y + shift.y(), z + shift.z());
         }
     }
 
@@ -113,7 +113,7 @@ public final class SlantedShade {
         return boxes;
     }
 
-    /** Puts a slice of equal z of a box as unsigned 16 bits, x fastest: this time's share, then another time's. */
+    /** Puts a slice of equal z of a box as unsigned 16 bits, x fastest: this time's fraction, then another time's. */
     public void put(SlantedShade next, int level, int k, ShortBuffer texels) {
         CellBox cells = boxes.get(level);
         int first = cells.index(0, 0, k);

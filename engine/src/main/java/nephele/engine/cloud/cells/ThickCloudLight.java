@@ -38,8 +38,8 @@ final class ThickCloudLight {
      * @param shades optical depths of other clouds from the cells towards the sun; {@code null} for none
      */
     void mixInto(float[] values, float[] shades, Vec3 towardsSun) {
-        double share = share();
-        if (share == 0) {
+        double fraction = fraction();
+        if (fraction == 0) {
             return;
         }
         double[] guess = new double[cells.count()];
@@ -54,18 +54,18 @@ final class ThickCloudLight {
         for (int i = 0; i < fluence.length; i++) {
             double mean = Math.max(0, fluence[i]) / (4 * Math.PI);
             double slope = grid.fall(i, axis) / (4 * Math.PI * Math.max(1e-9, reduced * depths.perMetre()[i]));
-            double own = shades == null ? share : share * Math.exp(-medium.depthFactor() * shades[i]);
+            double own = shades == null ? fraction : fraction * Math.exp(-medium.depthFactor() * shades[i]);
             mix(values, LightCells.VALUES * i + 1, mean, own);
             mix(values, LightCells.VALUES * i + 2, Math.max(-mean, Math.min(mean, slope)), own);
         }
     }
 
-    private static void mix(float[] values, int at, double value, double share) {
-        values[at] += (float) (share * (value - values[at]));
+    private static void mix(float[] values, int at, double value, double fraction) {
+        values[at] += (float) (fraction * (value - values[at]));
     }
 
-    /** Returns the share of the grid's light, from the means over what extinction there is. */
-    double share() {
+    /** Returns the fraction of the grid's light, from the means over what extinction there is. */
+    double fraction() {
         double extinction = 0;
         double thickness = 0;
         double flatness = 0;
@@ -90,7 +90,7 @@ final class ThickCloudLight {
         return clamped((reduced - THIN) / (THICK - THIN)) * clamped((FLAT - flatness / extinction) / (FLAT - ROUND));
     }
 
-    private static double clamped(double share) {
-        return Math.max(0, Math.min(1, share));
+    private static double clamped(double fraction) {
+        return Math.max(0, Math.min(1, fraction));
     }
 }

@@ -30,7 +30,7 @@ public record CloudPuffs(List<Puff> all) {
         private static final double FAINTEST = 1e-4;
         private static final double MOST_DEVIATIONS = 5;
 
-        /** Returns the distance from the centre at which it ends, 0 if nothing of it is seen; twin of {@code puffRadius}. */
+        /** Returns the distance from the centre at which it ends, 0 if nothing of it is visible; twin of {@code puffRadius}. */
         public double radiusMetres() {
             double depth = perMetre * deviationMetres * Math.sqrt(2 * Math.PI);
             return depth > FAINTEST
@@ -38,8 +38,8 @@ public record CloudPuffs(List<Puff> all) {
                     : 0;
         }
 
-        Puff thinned(double share) {
-            return new Puff(centre, deviationMetres, share * perMetre);
+        Puff thinned(double fraction) {
+            return new Puff(centre, deviationMetres, fraction * perMetre);
         }
     }
 
@@ -58,17 +58,17 @@ public record CloudPuffs(List<Puff> all) {
         return written.density() instanceof Cloud.Density.Puffs puffs
                         && written.extent() instanceof Cloud.Extent.Volume volume
                 ? written(puffs, volume.centre(), written.extinctionPerMetre())
-                : fitted(cloud.cells().density().get(0), cloud.fullPerMetre());
+                : fitted(cloud.cells().density().get(0));
     }
 
-    /** Returns the balls between two times: those of both, each with its share. */
-    public CloudPuffs towards(CloudPuffs next, double share) {
-        if (share == 0 || next.all.equals(all)) {
+    /** Returns the balls between two times: those of both, each with its fraction. */
+    public CloudPuffs towards(CloudPuffs next, double fraction) {
+        if (fraction == 0 || next.all.equals(all)) {
             return this;
         }
         List<Puff> both = new ArrayList<>();
-        all.forEach(puff -> both.add(puff.thinned(1 - share)));
-        next.all.forEach(puff -> both.add(puff.thinned(share)));
+        all.forEach(puff -> both.add(puff.thinned(1 - fraction)));
+        next.all.forEach(puff -> both.add(puff.thinned(fraction)));
         return new CloudPuffs(both);
     }
 
@@ -78,23 +78,23 @@ public record CloudPuffs(List<Puff> all) {
                 .toList());
     }
 
-    private static CloudPuffs fitted(DensityCells cells, double fullPerMetre) {
+    private static CloudPuffs fitted(DensityCells cells) {
         int side = 1;
-        List<Puff> puffs = blocks(cells, fullPerMetre, side);
+        List<Puff> puffs = blocks(cells, side);
         while (puffs.size() > MOST) {
             side++;
-            puffs = blocks(cells, fullPerMetre, side);
+            puffs = blocks(cells, side);
         }
         return new CloudPuffs(puffs);
     }
 
-    private static List<Puff> blocks(DensityCells cells, double fullPerMetre, int side) {
+    private static List<Puff> blocks(DensityCells cells, int side) {
         CellBox box = cells.cells();
         List<Puff> puffs = new ArrayList<>();
         for (int k = 0; k < box.nz(); k += side) {
             for (int j = 0; j < box.ny(); j += side) {
                 for (int i = 0; i < box.nx(); i += side) {
-                    Puff puff = block(cells, fullPerMetre, side, i, j, k);
+                    Puff puff = block(cells, side, i, j, k);
                     if (puff.perMetre > 0) {
                         puffs.add(puff);
                     }
@@ -104,7 +104,7 @@ public record CloudPuffs(List<Puff> all) {
         return puffs;
     }
 
-    private static Puff block(DensityCells cells, double fullPerMetre, int side, int i, int j, int k) {
+    private static Puff block(DensityCells cells, int side, int i, int j, int k) {
         CellBox box = cells.cells();
         double mass = 0;
         Vec3 moment = Vec3.ZERO;
@@ -121,7 +121,7 @@ public record CloudPuffs(List<Puff> all) {
         double s = SPREAD * side * Math.cbrt(volume);
         double whole = Math.pow(2 * Math.PI, 1.5) * s * s * s;
         return mass > 0
-                ? new Puff(moment.scaled(1 / mass), s, mass * volume * fullPerMetre / whole)
+                ? new Puff(moment.scaled(1 / mass), s, mass * volume * cells.wholePerMetre() / whole)
                 : new Puff(Vec3.ZERO, s, 0);
     }
 }

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import nephele.engine.atmosphere.Air;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.cells.DensityCells;
-import nephele.engine.cloud.cells.DensityCells.Sampling;
 import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
@@ -41,6 +41,9 @@ public final class CloudSource {
     /** Sampled boxes that are kept, in whole clouds. */
     private static final int KEPT = 3;
 
+    /** Columns along each side of the plan of a box. */
+    public static final int PLAN_COLUMNS = 512;
+
     private final Cloud cloud;
     private final LoadedClouds still;
     private final int index;
@@ -57,7 +60,7 @@ public final class CloudSource {
 
     private final boolean isProfiled;
     private final Map<LightKey, LightCells> lit = new LinkedHashMap<>(16, 0.75f, true);
-    private final Map<BoxKey, SampledBox> sampled = new LinkedHashMap<>(16, 0.75f, true);
+    private final Map<BoxKey, Box> sampled = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param column {@code null} for a finite cloud */
     private record BoxKey(int level, Column column, double seconds) {}
@@ -66,31 +69,37 @@ public final class CloudSource {
     private record LightKey(List<DensityCells> density, LightCells.Around around) {}
 
     /**
-     * @param plan {@code null} unless of noise with a profile
+     * A sampled box.
+     *
+     * @param plan how deep columns are inside of the cloud's bodies, −1 to 1 as unsigned 16 bits, {@link #PLAN_COLUMNS}
+     *     along each side, x fastest; {@code null} unless of noise with a profile
      * @param columns {@code null} unless for a sheet
      */
-    private record SampledBox(DensityCells density, PlanCells plan, SheetColumns columns) {}
+    public record Box(DensityCells density, short[] plan, SheetColumns columns) {}
 
     /**
-     * How clouds are divided.
-     *
-     * @param demand tells into how many cells
+     * @param still the same clouds without wind
+     * @param demand tells into how many cells they are divided
      * @param octaves of clouds that are drawn by technique {@code procedural}
      */
-    record Division(CloudDemand demand, ProceduralNoise octaves) {}
-
-    CloudSource(LoadedClouds loaded, LoadedClouds still, int index, CloudLight physics, Division division) {
-        cloud = loaded.clouds().get(index);
+    CloudSource(
+            Cloud cloud,
+            LoadedClouds still,
+            int index,
+            CloudLight physics,
+            CloudDemand demand,
+            ProceduralNoise octaves) {
+        this.cloud = cloud;
         this.still = still;
         this.index = index;
         this.physics = physics;
         isShell = still.field(index, 0) instanceof ShellField;
         ExtinctionField field = flat(0);
         boolean isFinite = Double.isFinite(field.bounds().maxX());
-        cells = isFinite ? cells(field, division.demand().longest()) : null;
-        grid = isFinite ? null : grid(field.bounds(), division.demand());
+        cells = isFinite ? cells(field, demand.longest()) : null;
+        grid = isFinite ? null : grid(field.bounds(), demand);
         bounds = isFinite ? cells.box() : field.bounds();
-        sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, division.octaves()) : null;
+        sheet = cloud.technique() == CloudTechnique.PROCEDURAL ? octaveSheet(field, octaves) : null;
         isProfiled = sheet == null && noise(0) != null;
     }
 
@@ -103,7 +112,7 @@ public final class CloudSource {
     /** Returns octaves whose mean optical depth is that of the cloud's own density. */
     private OctaveSheet octaveSheet(ExtinctionField field, ProceduralNoise octaves) {
         CellBox box = box(grid == null ? 0 : MEAN_LEVEL, grid == null ? null : new Column(0, 0));
-        double depth = DensityCells.of(field, box, new Sampling(finestMetres(), greatestPerMetre(field)))
+        double depth = DensityCells.of(field, box, finestMetres(), greatestPerMetre(field))
                 .meanDepth();
         return OctaveSheet.of(cloud, octaves, bounds.maxY() - bounds.minY(), depth);
     }
@@ -142,9 +151,9 @@ public final class CloudSource {
         return isProfiled;
     }
 
-    /** Returns the share of its extinction that its weather gives it at a time, 0 to 1. */
-    public double share(double seconds) {
-        return still.share(index, seconds);
+    /** Returns the fraction of its extinction that its weather gives it at a time, 0 to 1. */
+    public double presence(double seconds) {
+        return still.presence(index, seconds);
     }
 
     /** Returns how far the wind has carried it. */
@@ -192,39 +201,23 @@ public final class CloudSource {
         return flat(seconds) instanceof NoiseField some && some.density() instanceof ProfiledNoise ? some : null;
     }
 
-    /** Samples its density at a time, in boxes with these middles. */
-    Sampled sample(List<Column> columns, double seconds) {
-        List<DensityCells> density = new ArrayList<>();
-        double fullPerMetre = 0;
-        List<PlanCells> plans = new ArrayList<>();
-        List<SheetColumns> sheet = new ArrayList<>();
+    /** Samples it at a time, in boxes with these middles. */
+    List<Box> sample(List<Column> columns, double seconds) {
+        List<Box> boxes = new ArrayList<>();
         for (int level = 0; level < levels(); level++) {
-            SampledBox box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
-            fullPerMetre = box.density().greatestPerMetre();
-            density.add(box.density().scaled(share(seconds)));
-            plans.add(box.plan());
-            sheet.add(box.columns());
+            Box box = sampled(level, grid == null ? null : columns.get(level), evolves() ? seconds : 0);
+            boxes.add(new Box(box.density.scaled(presence(seconds)), box.plan, box.columns));
         }
-        return new Sampled(
-                density,
-                isProfiled ? List.copyOf(plans) : List.of(),
-                isSheet() ? List.copyOf(sheet) : List.of(),
-                fullPerMetre);
+        return boxes;
     }
 
     private boolean isSheet() {
         return cloud.technique() == CloudTechnique.SKYPLANE;
     }
 
-    /**
-     * @param plans of the boxes; empty unless of noise with a profile
-     * @param sheet its columns; empty unless it is drawn as a sheet of them
-     */
-    record Sampled(List<DensityCells> density, List<PlanCells> plans, List<SheetColumns> sheet, double fullPerMetre) {}
-
-    private synchronized SampledBox sampled(int level, Column column, double seconds) {
+    private synchronized Box sampled(int level, Column column, double seconds) {
         var key = new BoxKey(level, column, seconds);
-        SampledBox box = sampled.get(key);
+        Box box = sampled.get(key);
         if (box == null) {
             box = sample(box(level, column), seconds);
             sampled.put(key, box);
@@ -235,26 +228,43 @@ public final class CloudSource {
         return box;
     }
 
-    private SampledBox sample(CellBox cells, double seconds) {
+    private Box sample(CellBox cells, double seconds) {
         if (sheet != null) {
             double perMetre = sheet.greatestDepth() / (bounds.maxY() - bounds.minY());
             var octaves = new OctaveColumns(sheet, seconds, perMetre);
-            return new SampledBox(
-                    DensityCells.of(octaves, cells, new Sampling(sheet.cellMetres() / 4, perMetre)), null, null);
+            return new Box(DensityCells.of(octaves, cells, sheet.cellMetres() / 4, perMetre), null, null);
         }
         ExtinctionField field = flat(seconds);
-        var sampling = new Sampling(finestMetres(), greatestPerMetre(field));
+        double greatest = greatestPerMetre(field);
         if (!isProfiled) {
-            DensityCells density = DensityCells.of(field, cells, sampling);
-            return new SampledBox(
-                    density, null, isSheet() ? SheetColumns.of(field, cells, density.greatestPerMetre()) : null);
+            DensityCells density = DensityCells.of(field, cells, finestMetres(), greatest);
+            DensityCells.Columns columns = (depth, x, y, z) -> field.perMetre(x, y, z);
+            return new Box(
+                    density, null, isSheet() ? SheetColumns.of(columns, cells, density.greatestPerMetre()) : null);
         }
         var noise = (NoiseField) field;
         var columns = new NoiseColumns(noise);
-        return new SampledBox(
-                DensityCells.of(columns, cells, sampling),
-                PlanCells.of(noise, cells.box()),
-                isSheet() ? SheetColumns.of(columns, cells, sampling.greatestPerMetre()) : null);
+        return new Box(
+                DensityCells.of(columns, cells, finestMetres(), greatest),
+                plan(noise, cells.box()),
+                isSheet() ? SheetColumns.of(columns, cells, greatest) : null);
+    }
+
+    private static short[] plan(NoiseField field, Aabb box) {
+        var noise = (ProfiledNoise) field.density();
+        short[] depths = new short[PLAN_COLUMNS * PLAN_COLUMNS];
+        double x = (box.maxX() - box.minX()) / PLAN_COLUMNS;
+        double z = (box.maxZ() - box.minZ()) / PLAN_COLUMNS;
+        IntStream.range(0, PLAN_COLUMNS).parallel().forEach(row -> {
+            for (int column = 0; column < PLAN_COLUMNS; column++) {
+                double depth = noise.bodyDepth(
+                        box.minX() + (column + 0.5) * x - field.origin().x(),
+                        box.minZ() + (row + 0.5) * z - field.origin().z());
+                double stored = Math.max(0, Math.min(1, (depth + 1) / 2));
+                depths[row * PLAN_COLUMNS + column] = (short) Math.round(65535 * stored);
+            }
+        });
+        return depths;
     }
 
     /** Returns the size of what must not be missed between two samples. */
@@ -353,16 +363,6 @@ public final class CloudSource {
         @Override
         public double depth(double x, double z) {
             return sheet.at(x, z, seconds);
-        }
-
-        @Override
-        public double greatestDepth(double x, double z, double halfX, double halfZ) {
-            return 1;
-        }
-
-        @Override
-        public double leastDepth(double fromY, double toY) {
-            return 0;
         }
 
         @Override

@@ -5,12 +5,16 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.Future;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.cloud.cells.CellStack;
+import nephele.engine.cloud.cells.DensityCells;
 import nephele.engine.cloud.cells.LayerGrid;
 import nephele.engine.cloud.cells.LayerGrid.Column;
 import nephele.engine.cloud.cells.LightCells;
@@ -74,22 +78,6 @@ public final class CloudTimeline implements AutoCloseable {
     private record Key(double instant, Vec3 towardsSun, List<List<Column>> columns) {}
 
     /**
-     * How clouds are sampled.
-     *
-     * @param lightDivisor cells of density along each edge of a cell of light
-     * @param octaves of clouds that are drawn by technique {@code procedural}
-     * @param physics makes or remembers the light of some optics; called by the constructor alone
-     */
-    public record Sampling(int lightDivisor, ProceduralNoise octaves, Function<CloudOptics, CloudLight> physics) {
-        /** Returns sampling that derives the light of each optics once. */
-        static Sampling of(int lightDivisor) {
-            Map<CloudOptics, CloudLight> known = new HashMap<>();
-            return new Sampling(
-                    lightDivisor, ProceduralNoise.SMOOTH, optics -> known.computeIfAbsent(optics, CloudLight::new));
-        }
-    }
-
-    /**
      * Prepares the clouds of an environment, those of its weather included.
      *
      * @param authored the environment at time 0
@@ -98,29 +86,48 @@ public final class CloudTimeline implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException if a picture or grid is unusable
      */
     public CloudTimeline(Environment authored, AssetSource assets, Aabb region, int lightDivisor) {
-        this(authored, LoadedClouds.of(authored, assets), region, Sampling.of(lightDivisor));
+        this(
+                authored,
+                LoadedClouds.of(authored, assets),
+                region,
+                lightDivisor,
+                ProceduralNoise.SMOOTH,
+                remembering(new HashMap<>()));
+    }
+
+    /** Returns what derives the light of each optics once. */
+    private static Function<CloudOptics, CloudLight> remembering(Map<CloudOptics, CloudLight> known) {
+        return optics -> known.computeIfAbsent(optics, CloudLight::new);
     }
 
     /**
      * Prepares loaded clouds.
      *
      * @param loaded those of the environment, each with the technique that draws it
+     * @param lightDivisor cells of density along each edge of a cell of light
+     * @param octaves of clouds that are drawn by technique {@code procedural}
+     * @param physics makes or remembers the light of some optics; called by this constructor alone
      * @throws nephele.engine.asset.AssetException if memory does not suffice for their cells
      */
-    public CloudTimeline(Environment authored, LoadedClouds loaded, Aabb region, Sampling sampling) {
+    public CloudTimeline(
+            Environment authored,
+            LoadedClouds loaded,
+            Aabb region,
+            int lightDivisor,
+            ProceduralNoise octaves,
+            Function<CloudOptics, CloudLight> physics) {
         this.authored = causes(authored);
-        lightDivisor = sampling.lightDivisor;
+        this.lightDivisor = lightDivisor;
         this.region = region;
         this.loaded = loaded;
         LoadedClouds still = loaded.withoutWind();
         CloudDemand demand = CloudDemand.of(loaded.clouds());
         demand.requireMemory(Runtime.getRuntime().maxMemory());
-        var division = new CloudSource.Division(demand, sampling.octaves);
         List<CloudSource> all = new ArrayList<>();
         for (int i = 0; i < loaded.clouds().size(); i++) {
             Cloud cloud = loaded.clouds().get(i);
-            CloudLight physics = sampling.physics.apply(CloudOptics.of(cloud));
-            var source = new CloudSource(loaded, still, i, physics, division);
+            CloudLight light = physics.apply(CloudOptics.of(cloud));
+            var source = new CloudSource(cloud, still, i, light, demand, octaves);
             if (source.exists()) {
                 all.add(source);
             }
@@ -189,15 +196,17 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     private CloudInterval atCauses(Environment now, double seconds, Vec3 focus) {
-        SampleInstants.Span span = instants.around(seconds);
-        follow(now, span, seconds, focus);
-        Sample from = sample(key(now, seconds, span.from(), columns));
-        Sample to = span.share() == 0 ? from : sample(key(now, seconds, span.to(), columns));
-        double next = span.share() == 0 ? span.to() : instants.after(span.to());
-        if (next > span.from() && hasMoved(seconds)) {
+        double passed = instants.passed(seconds);
+        double fromInstant = instants.from(seconds);
+        double toInstant = instants.to(seconds);
+        follow(now, seconds, focus);
+        Sample from = sample(key(now, seconds, fromInstant, columns));
+        Sample to = passed == 0 ? from : sample(key(now, seconds, toInstant, columns));
+        double next = passed == 0 ? toInstant : instants.after(toInstant);
+        if (next > fromInstant && hasMoved(seconds)) {
             prefetch(key(now, seconds, next, columns));
         }
-        return new CloudInterval(from, to, span.share(), seconds);
+        return new CloudInterval(from, to, passed, seconds);
     }
 
     /** Returns true once time passes, for then the next samples are wanted: those of a single picture never are. */
@@ -207,7 +216,7 @@ public final class CloudTimeline implements AutoCloseable {
     }
 
     /** Moves the boxes: as soon as the moved ones are sampled, at the latest when the others serve no longer. */
-    private void follow(Environment now, SampleInstants.Span span, double seconds, Vec3 focus) {
+    private void follow(Environment now, double seconds, Vec3 focus) {
         List<Vec3> places = focuses(now, seconds, focus);
         if (columns == null) {
             columns = boxes(
@@ -225,8 +234,8 @@ public final class CloudTimeline implements AutoCloseable {
                                         columns.get(i),
                                         places.get(i).x(),
                                         places.get(i).z()));
-        boolean isReady = prefetch(key(now, seconds, span.from(), moved))
-                & (span.share() == 0 || prefetch(key(now, seconds, span.to(), moved)));
+        boolean isReady = prefetch(key(now, seconds, instants.from(seconds), moved))
+                & (instants.passed(seconds) == 0 || prefetch(key(now, seconds, instants.to(seconds), moved)));
         if (isReady || !serve) {
             columns = moved;
         }
@@ -272,7 +281,7 @@ public final class CloudTimeline implements AutoCloseable {
     private Sample sample(Key key) {
         Future<Sample> known = samples.get(key);
         if (known == null) {
-            known = java.util.concurrent.CompletableFuture.completedFuture(make(key));
+            known = CompletableFuture.completedFuture(make(key));
             samples.put(key, known);
             forgetOldest();
         }
@@ -281,7 +290,7 @@ public final class CloudTimeline implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return make(key);
-        } catch (java.util.concurrent.ExecutionException e) {
+        } catch (ExecutionException e) {
             throw new IllegalStateException("clouds cannot be sampled", e.getCause());
         }
     }
@@ -295,43 +304,40 @@ public final class CloudTimeline implements AutoCloseable {
     private Sample make(Key key) {
         SwingThread.refuse("the cells of clouds");
         double seconds = key.instant;
-        List<CloudSource.Sampled> sampled = IntStream.range(0, sources.size())
+        List<List<CloudSource.Box>> boxes = IntStream.range(0, sources.size())
                 .mapToObj(i -> sources.get(i).sample(key.columns.get(i), seconds))
                 .toList();
-        ShadingClouds shading = shading(sampled, seconds, key.towardsSun);
-        List<DrawnCloud> all = new ArrayList<>();
+        List<List<DensityCells>> density = boxes.stream()
+                .map(all -> all.stream().map(CloudSource.Box::density).toList())
+                .toList();
+        ShadingClouds shading = shading(density, seconds, key.towardsSun);
+        List<DrawnCloud> clouds = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
             var around = new LightCells.Around(key.towardsSun, shading.on(i), lightDivisor);
-            all.add(new DrawnCloud(
-                    source,
-                    source.lit(sampled.get(i).density(), around),
-                    sampled.get(i).plans(),
-                    sampled.get(i).sheet(),
-                    source.drift(seconds),
-                    sampled.get(i).fullPerMetre()));
+            CellStack lit = source.lit(density.get(i), around);
+            clouds.add(new DrawnCloud(source, boxes.get(i), lit, source.drift(seconds)));
         }
-        var clouds = new DrawnClouds(all, key.towardsSun);
         return new Sample(
-                clouds,
-                SunShares.of(clouds, region),
-                SkyThroughClouds.of(clouds, region.centre()),
-                groundShare(seconds, key.towardsSun),
+                List.copyOf(clouds),
+                new SunThroughClouds(clouds, key.towardsSun, region),
+                SkyThroughClouds.of(clouds, key.towardsSun, region.centre()),
+                groundFraction(seconds, key.towardsSun),
                 shafts == null ? null : shafts.shade(key.columns.get(sources.size()), seconds, key.towardsSun));
     }
 
-    private double groundShare(double seconds, Vec3 towardsSun) {
+    private double groundFraction(double seconds, Vec3 towardsSun) {
         return authored.sky() instanceof Atmosphere sky
-                ? loaded.groundShare(seconds, region.centre(), towardsSun.y(), sky.groundAlbedo())
+                ? loaded.groundFraction(seconds, region.centre(), towardsSun.y(), sky.groundAlbedo())
                 : 1;
     }
 
-    private ShadingClouds shading(List<CloudSource.Sampled> sampled, double seconds, Vec3 towardsSun) {
+    private ShadingClouds shading(List<List<DensityCells>> density, double seconds, Vec3 towardsSun) {
         List<ShadingClouds.Cast> all = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             CloudSource source = sources.get(i);
             all.add(new ShadingClouds.Cast(
-                    sampled.get(i).density(), source.grid() != null, source.drift(seconds), straightened(source)));
+                    density.get(i), source.grid() != null, source.drift(seconds), straightened(source)));
         }
         return new ShadingClouds(all, towardsSun);
     }

@@ -9,19 +9,11 @@ import nephele.engine.math.Vec3;
 /**
  * A cloud of a level at one time, sampled for drawing.
  *
- * @param cells in the space that drifts with the cloud
- * @param plans of its boxes; empty unless of noise with a profile
- * @param sheet columns of its boxes; empty unless it is drawn as a sheet of them
+ * @param boxes of its cells, the narrowest first
+ * @param cells of all boxes, lit, in the space that drifts with the cloud
  * @param drift how far the wind has carried it
- * @param fullPerMetre extinction that density 1 stands for when its weather has come wholly
  */
-public record DrawnCloud(
-        CloudSource source,
-        CellStack cells,
-        List<PlanCells> plans,
-        List<SheetColumns> sheet,
-        Vec3 drift,
-        double fullPerMetre) {
+public record DrawnCloud(CloudSource source, List<CloudSource.Box> boxes, CellStack cells, Vec3 drift) {
     /** Returns a march through it. */
     CellMarch march(CellMarch.OutsideOfCloud outside) {
         return new CellMarch(cells, outside);

@@ -10,19 +10,21 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 
 /**
- * The balls of a cloud as an eye outside of it sees them: in slabs across the direction to the cloud, so that a flat picture
+ * The puffs of a cloud as an eye outside of it sees them: in slabs across the direction to the cloud, so that a flat picture
  * of each is right for eyes nearby too. After Harris 2002, "Real-time cloud rendering for games", section 5, whose pictures
- * have one slab. Places are in the space of the balls. Immutable.
+ * have one slab. Places are in the space of the puffs. Immutable.
  *
  * @param axes the cloud is along −back
- * @param balls those that are seen, in the order in which they are blended
+ * @param texel side of a texel of a picture at distance 1
+ * @param width of a picture in texels; {@code height} likewise
+ * @param puffs those that are visible, in the order in which they are blended
  * @param slabs the farthest first
  */
-public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, List<Slab> slabs) {
+public record PuffSlabs(Vec3 eye, Basis axes, double texel, int width, int height, List<Puff> puffs, List<Slab> slabs) {
     private static final int MOST_SLABS = 4;
-    /** Thickness of a slab in deviations of its balls; they stand out of it by as much anyway. */
+    /** Thickness of a slab in deviations of its puffs; they stand out of it by as much anyway. */
     private static final double THICKNESS = 4;
-    /** Texels of a picture in the deviation of all but the balls that seem smallest, a tenth. */
+    /** Texels of a picture in the deviation of all but the puffs that seem smallest, a tenth. */
     private static final double TEXELS_A_DEVIATION = 3.5;
     /** Texels in the deviation of the smallest one. */
     private static final double LEAST_TEXELS = 1.75;
@@ -30,7 +32,7 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
     private static final double SMALLEST = 0.1;
     /** Greatest tangent from the direction to the cloud. */
     private static final double WIDEST = 1.2;
-    /** Least distance from a ball in its radii. */
+    /** Least distance from a puff in its radii. */
     private static final double NEAREST = 1.05;
     /** Sides of pictures are multiples of this, so that they seldom change. */
     private static final int SIDE_STEP = 32;
@@ -43,27 +45,12 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
     private static final double MOST_SCALE = 1.25;
 
     /**
-     * The texels of a picture.
+     * Puffs with a common picture.
      *
-     * @param texel side of one at distance 1
-     */
-    public record Raster(double texel, int width, int height) {
-        public double tanHalfWidth() {
-            return width * texel / 2;
-        }
-
-        public double tanHalfHeight() {
-            return height * texel / 2;
-        }
-    }
-
-    /**
-     * Balls with a common picture.
-     *
-     * @param first of the balls
+     * @param first of the puffs
      * @param end behind the last one
      * @param middle distance from the eye, along the axis, at which the picture is put, metres
-     * @param near distance at which most of the balls begins; {@code far} where it ends
+     * @param near distance at which most of the puffs begins; {@code far} where it ends
      * @param core sides of what most of them fills, at distance 1
      * @param whole sides of what all of them fills
      */
@@ -86,7 +73,7 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
             return Math.max(Math.max(-left, right), Math.max(-low, high));
         }
 
-        /** Returns those of a ball at coordinates along right, up and forward. */
+        /** Returns those of a puff at coordinates along right, up and forward. */
         private static Sides of(double x, double y, double z, double radius) {
             double across = Math.atan2(x, z);
             double up = Math.atan2(y, z);
@@ -105,23 +92,23 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
     }
 
     /**
-     * Divides the balls.
+     * Divides the puffs.
      *
      * @param pixel width of a pixel at distance 1: no texel is finer
-     * @return empty if nothing is seen of them, or the eye is too near for one picture
+     * @return empty if nothing is visible of them, or the eye is too near for one picture
      */
-    public static Optional<PuffSlabs> of(CloudPuffs puffs, Vec3 eye, double pixel) {
-        List<Puff> seen =
-                puffs.all().stream().filter(puff -> puff.radiusMetres() > 0).toList();
-        if (seen.isEmpty()) {
+    public static Optional<PuffSlabs> of(CloudPuffs all, Vec3 eye, double pixel) {
+        List<Puff> visible =
+                all.all().stream().filter(puff -> puff.radiusMetres() > 0).toList();
+        if (visible.isEmpty()) {
             return Optional.empty();
         }
-        Vec3 centre = Aabb.of(seen.stream().map(Puff::centre).toList()).centre();
+        Vec3 centre = Aabb.of(visible.stream().map(Puff::centre).toList()).centre();
         Basis axes = Basis.lookAt(eye, centre, Basis.WORLD.up(), Basis.WORLD);
         Sides whole = Sides.NONE;
-        double[] sizes = new double[seen.size()];
+        double[] sizes = new double[visible.size()];
         for (int i = 0; i < sizes.length; i++) {
-            Puff puff = seen.get(i);
+            Puff puff = visible.get(i);
             Vec3 to = puff.centre().minus(eye);
             double z = -to.dot(axes.back());
             if (z <= NEAREST * puff.radiusMetres()) {
@@ -132,16 +119,11 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
         }
         Arrays.sort(sizes);
         double texel = Math.min(sizes[(int) (SMALLEST * sizes.length)] / TEXELS_A_DEVIATION, sizes[0] / LEAST_TEXELS);
-        Raster raster = raster(whole, Math.max(pixel, texel));
-        boolean fits = whole.widest() < WIDEST && Math.max(raster.width, raster.height) <= LONGEST_SIDE;
-        return fits ? Optional.of(divided(seen, eye, axes, raster)) : Optional.empty();
-    }
-
-    private static Raster raster(Sides whole, double texel) {
-        return new Raster(
-                texel,
-                side(Math.max(-whole.left, whole.right), texel),
-                side(Math.max(LEAST_TANGENT, Math.max(-whole.low, whole.high)), texel));
+        texel = Math.max(pixel, texel);
+        int width = side(Math.max(-whole.left, whole.right), texel);
+        int height = side(Math.max(LEAST_TANGENT, Math.max(-whole.low, whole.high)), texel);
+        boolean fits = whole.widest() < WIDEST && Math.max(width, height) <= LONGEST_SIDE;
+        return fits ? Optional.of(divided(visible, eye, axes, texel, width, height)) : Optional.empty();
     }
 
     private static int side(double half, double texel) {
@@ -149,14 +131,14 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
         return SIDE_STEP * (int) Math.ceil(texels / SIDE_STEP);
     }
 
-    private static PuffSlabs divided(List<Puff> seen, Vec3 eye, Basis axes, Raster raster) {
-        double[] depths = seen.stream()
+    private static PuffSlabs divided(List<Puff> visible, Vec3 eye, Basis axes, double texel, int width, int height) {
+        double[] depths = visible.stream()
                 .mapToDouble(puff -> eye.minus(puff.centre()).dot(axes.back()))
                 .toArray();
         double nearest = Arrays.stream(depths).min().orElseThrow();
         double farthest = Arrays.stream(depths).max().orElseThrow();
         double deviation =
-                seen.stream().mapToDouble(Puff::deviationMetres).average().orElseThrow();
+                visible.stream().mapToDouble(Puff::deviationMetres).average().orElseThrow();
         int count = (int) Math.max(1, Math.min(MOST_SLABS, Math.round((farthest - nearest) / (THICKNESS * deviation))));
         double thickness = Math.max(1e-9, (farthest - nearest) / count);
         List<List<Puff>> groups = new ArrayList<>();
@@ -165,19 +147,19 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
         }
         for (int i = 0; i < depths.length; i++) {
             int slab = (int) Math.min(count - 1, (farthest - depths[i]) / thickness);
-            groups.get(slab).add(seen.get(i));
+            groups.get(slab).add(visible.get(i));
         }
-        List<Puff> balls = new ArrayList<>();
+        List<Puff> puffs = new ArrayList<>();
         List<Slab> slabs = new ArrayList<>();
         for (List<Puff> group : groups) {
             if (!group.isEmpty()) {
-                // A stable sort, so that balls at equal distances keep their order.
+                // A stable sort, so that puffs at equal distances keep their order.
                 group.sort((a, b) -> Double.compare(distance(b, eye), distance(a, eye)));
-                slabs.add(slab(group, balls.size(), eye, axes));
-                balls.addAll(group);
+                slabs.add(slab(group, puffs.size(), eye, axes));
+                puffs.addAll(group);
             }
         }
-        return new PuffSlabs(eye, axes, raster, List.copyOf(balls), List.copyOf(slabs));
+        return new PuffSlabs(eye, axes, texel, width, height, List.copyOf(puffs), List.copyOf(slabs));
     }
 
     private static double distance(Puff puff, Vec3 eye) {
@@ -204,25 +186,33 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
         return new Slab(first, first + group.size(), middle, near, far, core, whole);
     }
 
-    /** Returns the texels that a ball is drawn into, at most. */
-    public long texels(int ball) {
-        Puff puff = balls.get(ball);
-        double z = eye.minus(puff.centre()).dot(axes.back());
-        double side = 2 * puff.radiusMetres() / (z * raster.texel);
-        return Math.min((long) raster.width * raster.height, (long) Math.ceil(side * side));
+    public double tanHalfWidth() {
+        return width * texel / 2;
     }
 
-    /** Returns the texels that all balls are drawn into. */
+    public double tanHalfHeight() {
+        return height * texel / 2;
+    }
+
+    /** Returns the texels that a puff is drawn into, at most. */
+    public long texels(int index) {
+        Puff puff = puffs.get(index);
+        double z = eye.minus(puff.centre()).dot(axes.back());
+        double side = 2 * puff.radiusMetres() / (z * texel);
+        return Math.min((long) width * height, (long) Math.ceil(side * side));
+    }
+
+    /** Returns the texels that all puffs are drawn into. */
     public long texels() {
         long sum = 0;
-        for (int ball = 0; ball < balls.size(); ball++) {
-            sum += texels(ball);
+        for (int puff = 0; puff < puffs.size(); puff++) {
+            sum += texels(puff);
         }
         return sum;
     }
 
     /**
-     * Returns the greatest angle by which another eye sees most of the balls in a wrong direction, radians: that between the
+     * Returns the greatest angle by which another eye sees most of the puffs in a wrong direction, radians: that between the
      * nearest or farthest point of a slab and the place where its picture has it.
      */
     public double errorRadians(Vec3 from) {
@@ -264,10 +254,10 @@ public record PuffSlabs(Vec3 eye, Basis axes, Raster raster, List<Puff> balls, L
                 apart(across, up, slab.middle, slab.near, x, y, z), apart(across, up, slab.middle, slab.far, x, y, z));
     }
 
-    private static double apart(double across, double up, double shown, double real, double x, double y, double z) {
-        double ax = across * shown - x;
-        double ay = up * shown - y;
-        double az = shown - z;
+    private static double apart(double across, double up, double drawn, double real, double x, double y, double z) {
+        double ax = across * drawn - x;
+        double ay = up * drawn - y;
+        double az = drawn - z;
         double bx = across * real - x;
         double by = up * real - y;
         double bz = real - z;

@@ -12,9 +12,6 @@ import nephele.engine.level.appearance.WeatherCourse;
  * @param keyframes ascending
  */
 record SampleInstants(double stepSeconds, double[] keyframes) {
-    /** Two neighbouring instants, the same if time stands still, and the share of the way between them. */
-    record Span(double from, double to, double share) {}
-
     static SampleInstants of(double stepSeconds, WeatherCourse course) {
         double[] times = course.keyframes().stream()
                 .mapToDouble(WeatherKeyframe::timeSeconds)
@@ -22,16 +19,22 @@ record SampleInstants(double stepSeconds, double[] keyframes) {
         return new SampleInstants(stepSeconds, course.changes() ? times : new double[0]);
     }
 
-    /** Returns the span of a time: from the last instant that is not after it to the next one. */
-    Span around(double seconds) {
+    /** Returns the next instant after a time's {@link #from}; that itself if time stands still. */
+    double to(double seconds) {
         double from = from(seconds);
         double to = after(seconds);
-        return from < to && Double.isFinite(to)
-                ? new Span(from, to, (seconds - from) / (to - from))
-                : new Span(from, from, 0);
+        return from < to && Double.isFinite(to) ? to : from;
     }
 
-    private double from(double seconds) {
+    /** Returns the fraction of the time between the instants around a time that has passed, 0 if time stands still. */
+    double passed(double seconds) {
+        double from = from(seconds);
+        double to = to(seconds);
+        return from < to ? (seconds - from) / (to - from) : 0;
+    }
+
+    /** Returns the last instant that is not after a time. */
+    double from(double seconds) {
         if (stepSeconds == Double.POSITIVE_INFINITY) {
             return 0;
         }

@@ -79,7 +79,7 @@ public record ShaftClouds(List<CloudSource> sources, List<Integer> indices, Laye
         List<SlantedShade.Caster> casters = indices.stream()
                 .map(sources::get)
                 .map(cloud -> new SlantedShade.Caster(
-                        cloud.flat(seconds), drift.minus(cloud.drift(seconds)), cloud.share(seconds)))
+                        cloud.flat(seconds), drift.minus(cloud.drift(seconds)), cloud.presence(seconds)))
                 .toList();
         return SlantedShade.of(grid, columns, casters, towardsLight);
     }

@@ -1,7 +1,6 @@
 package nephele.engine.cloud.drawn;
 
 import java.util.stream.IntStream;
-import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.cells.DensityCells;
 
@@ -19,46 +18,24 @@ public record SheetColumns(int nx, int nz, float[] values) {
 
     private static final int ROWS = 8;
 
-    /** Returns the extinction of a column at the middles of its rows, per metre. */
-    private interface Sampler {
-        void sample(double x, double z, double[] rows);
-    }
-
     /** @param fullPerMetre extinction that density 1 stands for */
-    static SheetColumns of(ExtinctionField field, CellBox cells, double fullPerMetre) {
-        CellBox fine = fine(cells);
-        return of(fine, fullPerMetre, (x, z, rows) -> {
-            for (int j = 0; j < rows.length; j++) {
-                rows[j] = field.perMetre(x, fine.centreY(j), z);
-            }
-        });
-    }
-
     static SheetColumns of(DensityCells.Columns field, CellBox cells, double fullPerMetre) {
-        CellBox fine = fine(cells);
+        var fine = new CellBox(cells.box(), PER_CELL * cells.nx(), Math.min(cells.ny(), ROWS), PER_CELL * cells.nz());
         double[] least = new double[fine.ny()];
         for (int j = 0; j < least.length; j++) {
             least[j] = field.leastDepth(fine.centreY(j), fine.centreY(j));
         }
-        return of(fine, fullPerMetre, (x, z, rows) -> {
-            double depth = field.depth(x, z);
-            for (int j = 0; j < rows.length; j++) {
-                rows[j] = depth > least[j] ? field.perMetre(depth, x, fine.centreY(j), z) : 0;
-            }
-        });
-    }
-
-    private static CellBox fine(CellBox cells) {
-        return new CellBox(cells.box(), PER_CELL * cells.nx(), Math.min(cells.ny(), ROWS), PER_CELL * cells.nz());
-    }
-
-    private static SheetColumns of(CellBox fine, double fullPerMetre, Sampler field) {
         float[] values = new float[VALUES * fine.nx() * fine.nz()];
         double scale = fullPerMetre > 0 ? 1 / (fullPerMetre * fine.ny()) : 0;
         IntStream.range(0, fine.nz()).parallel().forEach(k -> {
             double[] rows = new double[fine.ny()];
             for (int i = 0; i < fine.nx(); i++) {
-                field.sample(fine.centreX(i), fine.centreZ(k), rows);
+                double x = fine.centreX(i);
+                double z = fine.centreZ(k);
+                double depth = field.depth(x, z);
+                for (int j = 0; j < rows.length; j++) {
+                    rows[j] = depth > least[j] ? field.perMetre(depth, x, fine.centreY(j), z) : 0;
+                }
                 put(rows, scale, values, VALUES * (k * fine.nx() + i));
             }
         });

@@ -1,5 +1,7 @@
 package nephele.engine.cloud.drawn;
 
+import java.util.Comparator;
+import java.util.List;
 import nephele.engine.cloud.cells.CellMarch;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -23,11 +25,11 @@ public final class SkyThroughClouds {
 
     private SkyThroughClouds() {}
 
-    static SkyThroughClouds of(DrawnClouds clouds, Vec3 place) {
+    static SkyThroughClouds of(List<DrawnCloud> clouds, Vec3 towardsSun, Vec3 place) {
         var sky = new SkyThroughClouds();
-        var outside = new CellMarch.OutsideOfCloud(clouds.towardsSun(), SUN, ABOVE, BELOW);
-        var fromFarthest = clouds.all().stream()
-                .sorted(java.util.Comparator.comparingDouble(cloud -> -distance(cloud, place)))
+        var outside = new CellMarch.OutsideOfCloud(towardsSun, SUN, ABOVE, BELOW);
+        var fromFarthest = clouds.stream()
+                .sorted(Comparator.comparingDouble(cloud -> -distance(cloud, place)))
                 .toList();
         for (int cell = 0; cell < 6 * SIDE * SIDE; cell++) {
             Vector3d d = direction(cell);
@@ -90,17 +92,21 @@ public final class SkyThroughClouds {
     }
 
     /**
-     * Returns the radiance from a direction, on the way to another time's.
+     * Returns the radiance from a direction, part of the way to another time's.
      *
      * @param clear radiance of the sky without clouds
      */
     public Vector3d from(
-            SkyThroughClouds next, double share, Vector3d clear, CellMarch.OutsideOfCloud around, Vector3d direction) {
+            SkyThroughClouds next,
+            double fraction,
+            Vector3d clear,
+            CellMarch.OutsideOfCloud around,
+            Vector3d direction) {
         int at = VALUES * cell(direction.x, direction.y, direction.z);
-        double sun = mixed(next, share, at + 1);
-        double above = mixed(next, share, at + 2);
-        double below = mixed(next, share, at + 3);
-        return clear.mul(mixed(next, share, at))
+        double sun = mixed(next, fraction, at + 1);
+        double above = mixed(next, fraction, at + 2);
+        double below = mixed(next, fraction, at + 3);
+        return clear.mul(mixed(next, fraction, at))
                 .add(around.irradiance()
                         .scaled(sun)
                         .addScaled(above, around.above())
@@ -108,7 +114,7 @@ public final class SkyThroughClouds {
                         .toVector());
     }
 
-    private double mixed(SkyThroughClouds next, double share, int at) {
-        return values[at] + share * (next.values[at] - values[at]);
+    private double mixed(SkyThroughClouds next, double fraction, int at) {
+        return values[at] + fraction * (next.values[at] - values[at]);
     }
 }

@@ -6,7 +6,7 @@ import nephele.engine.level.CloudTechnique;
 
 /**
  * The change from the techniques that drew the clouds of a level to others. Each stage draws the clouds over the stages
- * before it with a share of their optical depth. The shares add up to 1, so that what passes through the clouds stays the
+ * before it with a fraction of their optical depth. The fractions add up to 1, so that what passes through the clouds stays the
  * same. Immutable.
  *
  * @param target the stage that remains; those before it disappear under it, those after it uncover it
@@ -16,7 +16,7 @@ public record TechniqueFade(List<Stage> stages, int target) {
     public static final double SECONDS = 1;
 
     /**
-     * Growth of a stage's share. A pixel shows 1 − exp(−τ share) of it over the others. With a share that grows
+     * Growth of a stage's fraction f. A pixel shows 1 − exp(−τ f) of it over the others. With a fraction that grows
      * exponentially, thin and thick parts of a cloud change equally fast, each in its turn, up to τ = exp(STEEPNESS).
      */
     private static final double STEEPNESS = 5;
@@ -31,7 +31,7 @@ public record TechniqueFade(List<Stage> stages, int target) {
             return new Stage(techniques, Math.max(0, Math.min(1, progress + by)));
         }
 
-        /** Returns the share of the optical depth that this stage takes from the stages before it. */
+        /** Returns the fraction of the optical depth that this stage takes from the stages before it. */
         private double cover() {
             return Math.expm1(STEEPNESS * progress) / Math.expm1(STEEPNESS);
         }
@@ -88,20 +88,20 @@ public record TechniqueFade(List<Stage> stages, int target) {
         return stages.get(target).techniques;
     }
 
-    /** Returns the share of the clouds' optical depth that a stage draws. */
-    public double share(int stage) {
-        double share = stages.get(stage).cover();
+    /** Returns the fraction of the clouds' optical depth that a stage draws. */
+    public double fraction(int stage) {
+        double fraction = stages.get(stage).cover();
         for (int i = stage + 1; i < stages.size(); i++) {
-            share *= 1 - stages.get(i).cover();
+            fraction *= 1 - stages.get(i).cover();
         }
-        return share;
+        return fraction;
     }
 
-    /** Returns the share of the stage with these techniques, 0 if there is none. */
-    public double share(List<CloudTechnique> techniques) {
+    /** Returns the fraction of the stage with these techniques, 0 if there is none. */
+    public double fraction(List<CloudTechnique> techniques) {
         for (int i = 0; i < stages.size(); i++) {
             if (stages.get(i).techniques.equals(techniques)) {
-                return share(i);
+                return fraction(i);
             }
         }
         return 0;

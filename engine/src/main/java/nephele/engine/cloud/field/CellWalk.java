@@ -11,7 +11,7 @@ final class CellWalk implements MajorantWalk {
     /** Where the longest walk ends, so that one along an endless layer without cloud ends at all. */
     private static final double MOST_METRES = 2e7;
 
-    private final CellBound bound;
+    private final Bound bound;
     private final double end;
     private final int stepX;
     private final int stepY;
@@ -29,7 +29,17 @@ final class CellWalk implements MajorantWalk {
     private double to;
     private double perMetre;
 
-    CellWalk(Ray ray, RaySpan span, CellLattice lattice, CellBound bound) {
+    /** Upper bounds of the extinction in the cells of a lattice. */
+    @FunctionalInterface
+    interface Bound {
+        /**
+         * Returns an upper bound, at least 0, of the extinction per metre in a cell. Rounding can ask for a cell beside the
+         * first or last one, which then stands for it.
+         */
+        double perMetre(long i, long j, long k);
+    }
+
+    CellWalk(Ray ray, RaySpan span, CellLattice lattice, Bound bound) {
         this.bound = bound;
         to = span.fromMetres();
         end = span.isEmpty() ? to : Math.min(span.toMetres(), to + MOST_METRES);

@@ -1,7 +1,5 @@
 package nephele.engine.cloud.field;
 
-import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetSource;
 import nephele.engine.cloud.ExtinctionField;
 import nephele.engine.cloud.PhaseFunction;
 import nephele.engine.cloud.light.CloudOptics;
@@ -17,15 +15,6 @@ public record CloudMedium(ExtinctionField field, double albedo, PhaseFunction ph
         if (!(albedo >= 0 && albedo <= 1)) {
             throw new IllegalArgumentException("albedo " + albedo + " is not in 0 to 1");
         }
-    }
-
-    /**
-     * Returns the medium of a cloud of a level over flat ground at time 0.
-     *
-     * @throws AssetException if the picture or grid of the cloud is unusable
-     */
-    public static CloudMedium of(Cloud cloud, AssetSource assets) throws AssetException {
-        return of(cloud, CloudFields.of(cloud, assets));
     }
 
     /** Returns the medium of a cloud of a level with its field at some time. */

@@ -1,6 +1,7 @@
 package nephele.engine.cloud.field;
 
 import nephele.engine.cloud.noise.EvolvingNoise;
+import nephele.engine.level.Cloud;
 
 /**
  * Noise that is the same at all heights: with n its billows, the density is (n − (1 − coverage)) / coverage, less what
@@ -16,16 +17,13 @@ final class EvenNoise implements NoiseDensity {
     private final PlanMap map;
     private final double erosion;
 
-    /**
-     * @param map {@code null} for none
-     * @param erosion 0 to 1
-     */
-    EvenNoise(NoiseLayouts noises, double coverage, PlanMap map, double erosion) {
+    /** @param map {@code null} for none */
+    EvenNoise(Cloud.Density.Noise noise, NoiseLayouts noises, PlanMap map) {
         shape = noises.shape();
         detail = noises.detail();
-        this.coverage = coverage;
+        coverage = noise.coverage();
         this.map = map;
-        this.erosion = EROSION * erosion;
+        erosion = EROSION * noise.erosion();
     }
 
     @Override

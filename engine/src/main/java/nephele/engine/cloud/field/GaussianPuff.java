@@ -72,8 +72,8 @@ record GaussianPuff(Vec3 centre, double deviationMetres) {
             return 0;
         }
         double unit = deviationMetres * Math.sqrt(2);
-        double share = erf(last / unit) - erf(first / unit);
-        return density(squared) * deviationMetres * Math.sqrt(Math.PI / 2) * share;
+        double fraction = erf(last / unit) - erf(first / unit);
+        return density(squared) * deviationMetres * Math.sqrt(Math.PI / 2) * fraction;
     }
 
     /** Returns erf(x) = 2/√π ∫₀ˣ exp(−t²) dt (Abramowitz and Stegun 1964, chapter 7), with an absolute error below 1e-15. */

@@ -82,14 +82,14 @@ public final class GridField implements ExtinctionField {
         return mix(lower, upper, w - floorW);
     }
 
-    private double row(int row, int i, int nextI, double share) {
+    private double row(int row, int i, int nextI, double fraction) {
         int at = row * grid.nx();
         float[] values = grid.values();
-        return mix(values[at + i], values[at + nextI], share);
+        return mix(values[at + i], values[at + nextI], fraction);
     }
 
-    private static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 
     @Override

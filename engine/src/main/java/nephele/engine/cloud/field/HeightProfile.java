@@ -98,17 +98,17 @@ public final class HeightProfile {
         return t * t * (3 - 2 * t);
     }
 
-    /** Returns the width of a body's edge, as a share of the plan. */
+    /** Returns the width of a body's edge, as a fraction of the plan. */
     double falloff() {
         return falloff;
     }
 
-    /** Returns the share of the plan in which bodies begin, per share of the sky that is covered in the end. */
+    /** Returns the fraction of the plan in which bodies begin, per fraction of the sky that is covered in the end. */
     double foot() {
         return foot;
     }
 
-    /** Returns how far outside of a body the cloud reaches, in the units of {@link CloudBodies#depth}. */
+    /** Returns how far outside of a body the cloud reaches, in the units of {@link ProfiledNoise#bodyDepth}. */
     double spread() {
         return spread;
     }

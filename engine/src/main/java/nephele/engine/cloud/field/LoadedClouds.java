@@ -20,6 +20,7 @@ import nephele.engine.level.appearance.CloudDemand;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherClouds.ChangingCloud;
 import nephele.engine.level.appearance.WeatherCourse;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
@@ -122,10 +123,10 @@ public final class LoadedClouds {
         return field(clouds.get(index), files.get(index), seconds);
     }
 
-    /** Returns the share of a cloud's extinction that its weather gives it at a time, 0 to 1. */
-    public double share(int index, double seconds) {
+    /** Returns the fraction of a cloud's extinction that its weather gives it at a time, 0 to 1. */
+    public double presence(int index, double seconds) {
         Weather weather = weathers.get(index);
-        return weather == null ? 1 : course.share(weather, seconds);
+        return weather == null ? 1 : course.weight(weather, seconds);
     }
 
     /** Returns the weather over time. */
@@ -134,9 +135,9 @@ public final class LoadedClouds {
     }
 
     private Cloud present(int index, double seconds) {
-        double share = share(index, seconds);
+        double presence = presence(index, seconds);
         Cloud cloud = clouds.get(index);
-        return share == 1 ? cloud : cloud.withExtinction(share * cloud.extinctionPerMetre());
+        return presence == 1 ? cloud : cloud.withExtinction(presence * cloud.extinctionPerMetre());
     }
 
     /**
@@ -160,7 +161,7 @@ public final class LoadedClouds {
      * @param sunSine of the sun's elevation
      * @param groundAlbedo of the plain
      */
-    public double groundShare(double seconds, Vec3 place, double sunSine, double groundAlbedo) {
+    public double groundFraction(double seconds, Vec3 place, double sunSine, double groundAlbedo) {
         List<ExtinctionField> fields = new ArrayList<>();
         for (int i = 0; i < clouds.size(); i++) {
             fields.add(CloudFields.flat(present(i, seconds), files.get(i), seconds, 0));
@@ -184,9 +185,9 @@ public final class LoadedClouds {
 
     /** Returns the vertical depth of a column of a cloud, as isotropic scattering of the same effect. */
     private static double isotropicDepth(Cloud cloud, ExtinctionField field, double seconds, double x, double z) {
-        CloudMoment moment = CloudMoment.of(cloud, seconds);
-        double base = moment.bounds().minY();
-        double row = moment.heightMetres() / COLUMN_ROWS;
+        Aabb bounds = CloudFields.bounds(cloud, seconds);
+        double base = bounds.minY();
+        double row = (bounds.maxY() - base) / COLUMN_ROWS;
         double sum = 0;
         for (int j = 0; j < COLUMN_ROWS; j++) {
             sum += field.perMetre(x, base + (j + 0.5) * row, z) * row;

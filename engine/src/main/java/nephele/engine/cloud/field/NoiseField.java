@@ -71,18 +71,6 @@ public final class NoiseField implements ExtinctionField {
         return extinctionPerMetre;
     }
 
-    /** Returns an upper bound of the extinction in a box. */
-    public double greatestPerMetre(Aabb box) {
-        return extinctionPerMetre
-                * density.greatest(
-                        (box.minX() + box.maxX()) / 2 - origin.x(),
-                        (box.minY() + box.maxY()) / 2 - origin.y(),
-                        (box.minZ() + box.maxZ()) / 2 - origin.z(),
-                        (box.maxX() - box.minX()) / 2,
-                        (box.maxY() - box.minY()) / 2,
-                        (box.maxZ() - box.minZ()) / 2);
-    }
-
     @Override
     public double perMetre(double x, double y, double z) {
         return bounds.contains(x, y, z)

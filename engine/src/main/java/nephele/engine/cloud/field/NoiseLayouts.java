@@ -2,7 +2,6 @@ package nephele.engine.cloud.field;
 
 import nephele.engine.cloud.noise.CloudTables;
 import nephele.engine.cloud.noise.EvolvingNoise;
-import nephele.engine.cloud.noise.EvolvingNoise.Layout;
 import nephele.engine.level.Cloud;
 
 /**
@@ -27,21 +26,26 @@ record NoiseLayouts(EvolvingNoise shape, EvolvingNoise detail, EvolvingNoise bod
         double period = CloudTables.SHAPE_CELLS * noise.featureMetres();
         long seed = noise.seed();
         return new NoiseLayouts(
-                new EvolvingNoise(
-                        tables.shape(), new Layout(period, 1, 0), 4 * seed, generation(seconds, evolutionSeconds)),
+                new EvolvingNoise(tables.shape(), period, 1, 0, 4 * seed, generation(seconds, evolutionSeconds)),
                 new EvolvingNoise(
                         tables.detail(),
-                        new Layout(period * DETAIL_PERIODS, 1, 0),
+                        period * DETAIL_PERIODS,
+                        1,
+                        0,
                         4 * seed + 1,
                         generation(seconds, evolutionSeconds / 2)),
                 new EvolvingNoise(
                         tables.plan(),
-                        new Layout(period * BODY_PERIODS, 3.0 / 5, 4.0 / 5),
+                        period * BODY_PERIODS,
+                        3.0 / 5,
+                        4.0 / 5,
                         4 * seed + 2,
                         generation(seconds, evolutionSeconds * 4)),
                 new EvolvingNoise(
                         tables.plan(),
-                        new Layout(period * CLUSTER_PERIODS, 5.0 / 13, 12.0 / 13),
+                        period * CLUSTER_PERIODS,
+                        5.0 / 13,
+                        12.0 / 13,
                         4 * seed + 3,
                         generation(seconds, evolutionSeconds * 16)));
     }

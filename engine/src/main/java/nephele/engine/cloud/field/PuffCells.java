@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 
 /** Cells over the bounds of puffs: which puffs reach a cell, and the greatest density that they can have in it. */
-final class PuffCells implements CellBound {
+final class PuffCells implements CellWalk.Bound {
     /** Cells along the longest edge of the bounds. */
     private static final int FINEST = 32;
 

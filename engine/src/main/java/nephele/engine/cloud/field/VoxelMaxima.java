@@ -5,7 +5,7 @@ import nephele.engine.asset.VoxelGrid;
 import nephele.engine.math.Aabb;
 
 /** The greatest extinction in coarse cells of a grid: the maximum over the voxels that influence the cell. */
-final class VoxelMaxima implements CellBound {
+final class VoxelMaxima implements CellWalk.Bound {
     /** Voxels along the edge of a cell. More cells cost steps of a ray, fewer cost null collisions. */
     private static final int VOXELS = 4;
 

@@ -11,8 +11,6 @@ public record BeamLight(CloudOptics optics, double fading) {
     /** Solid angle γ in which forward scattering counts as part of the beam (Harris and Lastra 2001; 0.09 in their program). */
     static final double CONE_STERADIANS = Math.PI / 32;
 
-    private static final double SERIES_BELOW = 1e-2;
-
     /** Returns light that is scattered once only: the beam loses all that is scattered. */
     public static BeamLight once(CloudOptics optics) {
         return new BeamLight(optics, 1);
@@ -23,13 +21,13 @@ public record BeamLight(CloudOptics optics, double fading) {
      * particle k of optical depth τ<sub>k</sub> passes on I<sub>k+1</sub> = (e<sup>−τ<sub>k</sub></sup> + ω τ<sub>k</sub> p(0) γ)
      * I<sub>k</sub>, p per steradian. That depends on how many particles share a depth, and grows without bound where ω p(0) γ
      * exceeds 1. For particles without end of no depth it becomes dI/dτ = −(1 − f) I with f = ω p(0) γ, so I = e<sup>−(1 − f) τ</sup>.
-     * Here f is ω times the share of light that is scattered into a cone of γ: the same where p hardly changes in the cone,
+     * Here f is ω times the fraction of light that is scattered into a cone of γ: the same where p hardly changes in the cone,
      * and at most 1 where it has a peak.
      */
     public static BeamLight forwards(CloudOptics optics) {
         // The cap of a sphere between separations 0 and s has the solid angle π s.
-        double share = optics.shareWithin(CONE_STERADIANS / Math.PI);
-        return new BeamLight(optics, 1 - optics.albedo() * share);
+        double fraction = optics.fractionWithin(CONE_STERADIANS / Math.PI);
+        return new BeamLight(optics, 1 - optics.albedo() * fraction);
     }
 
     /** Returns the irradiance of the beam at a point per unit irradiance of the sun. */
@@ -40,13 +38,5 @@ public record BeamLight(CloudOptics optics, double fading) {
     /** Returns the light that one optical depth scatters towards the eye, per unit irradiance of the sun and steradian. */
     public double perDepth(double separation, double sunDepth) {
         return optics.albedo() * optics.perSteradian(separation) * irradiance(sunDepth);
-    }
-
-    /** Returns the mean of e<sup>−t</sup> for t between two numbers of at least 0, in either order. */
-    public static double meanBetween(double from, double to) {
-        double change = to - from;
-        return Math.abs(change) < SERIES_BELOW
-                ? Math.exp(-(from + to) / 2) * (1 + change * change / 24)
-                : (Math.exp(-from) - Math.exp(-to)) / change;
     }
 }

@@ -8,9 +8,12 @@ import nephele.engine.work.SwingThread;
 
 /**
  * The light inside a cloud in closed form, from optical depths alone: diffuse sunlight as in the slab that the cloud
- * resembles at a point, and the share of the sky's light from above and below that reaches it. Immutable.
+ * resembles at a point, and the fraction of the sky's light from above and below that reaches it. Immutable.
  */
 public final class CloudLight {
+    /** Numbers of the light at a point. */
+    public static final int VALUES = 5;
+
     /** The slab of the two-stream solution is lit at least at this angle. */
     private static final double LEAST_COSINE = 0.05;
 
@@ -34,19 +37,6 @@ public final class CloudLight {
         smallAngles = new SmallAngleScattering(optics);
         correction = new SlabCorrection(optics, smallAngles);
     }
-
-    /**
-     * Light at a point.
-     *
-     * @param sunDepth optical depth towards the sun
-     * @param diffuseMean mean radiance of diffuse sunlight per unit irradiance, I₀
-     * @param diffuseSlope what is added to it along the {@link #diffuseAxis} and subtracted against it, I₁ without the part
-     *     that follows the beam
-     * @param fromAbove share of the upper sky's mean radiance that reaches the point
-     * @param fromBelow share of the lower one's
-     */
-    public record AtPoint(
-            double sunDepth, double diffuseMean, double diffuseSlope, double fromAbove, double fromBelow) {}
 
     public CloudOptics optics() {
         return optics;
@@ -72,13 +62,17 @@ public final class CloudLight {
     }
 
     /**
-     * Returns the light at a point.
+     * Puts the light at a point as {@link #VALUES} numbers: the optical depth towards the sun; the mean radiance of diffuse
+     * sunlight per unit irradiance, I₀; what is added to it along the {@link #diffuseAxis} and subtracted against it, I₁
+     * without the part that follows the beam; the fractions of the upper and of the lower sky's mean radiance that reach the
+     * point.
      *
      * @param sunDepth optical depth from the point towards the sun
      * @param shadeDepth optical depth from the point away from the sun
      * @param axisCosine cosine of the angle between the beam and the {@link #diffuseAxis}, times the length of this
+     * @param at place of the first number
      */
-    public AtPoint at(AxisDepths depths, double sunDepth, double shadeDepth, double axisCosine) {
+    public void put(AxisDepths depths, double sunDepth, double shadeDepth, double axisCosine, float[] values, int at) {
         double through = sunDepth + shadeDepth;
         double thickness = Math.min(depths.slabThickness(), Math.max(through, 1e-10));
         double cosine = through > thickness ? Math.max(LEAST_COSINE, thickness / through) : 1;
@@ -92,7 +86,11 @@ public final class CloudLight {
         double alongBeam = slopeOfBeam() * Math.exp(-medium.depthFactor() * sunDepth);
         double slope =
                 factor * cosine * slab.diffuseSlope(depth) - axisCosine * Math.max(-mean, Math.min(mean, alongBeam));
-        return new AtPoint(sunDepth, mean, slope, above * left, below * left);
+        values[at] = (float) sunDepth;
+        values[at + 1] = (float) mean;
+        values[at + 2] = (float) slope;
+        values[at + 3] = (float) (above * left);
+        values[at + 4] = (float) (below * left);
     }
 
     /**
@@ -102,7 +100,7 @@ public final class CloudLight {
      *
      * @param sunDepth optical depth towards the sun
      * @param eyeDepth optical depth towards the eye
-     * @param exitLight share of the sunlight that reaches the side towards the eye
+     * @param exitLight fraction of the sunlight that reaches the side towards the eye
      */
     public double greatestMean(double sunDepth, double eyeDepth, double exitLight) {
         double toSun = 1 / openness(OBLIQUITY * sunDepth);
@@ -122,7 +120,7 @@ public final class CloudLight {
         return 1 / (1 + 0.75 * (1 - medium.g()) * medium.depthFactor() * depth);
     }
 
-    /** Returns the share of even light from outside that absorption leaves. */
+    /** Returns the fraction of even light from outside that absorption leaves. */
     private double remaining(AxisDepths depths, double slabThickness) {
         double absorbed = 1 - medium.albedo();
         if (absorbed < 1e-6) {

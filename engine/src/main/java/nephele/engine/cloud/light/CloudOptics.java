@@ -12,9 +12,9 @@ import nephele.engine.level.Cloud;
  * @param albedo scattering divided by extinction, 0 to 1
  * @param g asymmetry of the forward lobe
  * @param backG asymmetry of the other lobe
- * @param backShare share of light that the other lobe scatters, 0 to 1
+ * @param backFraction fraction of light that the other lobe scatters, 0 to 1
  */
-public record CloudOptics(double albedo, double g, double backG, double backShare) implements PhaseFunction {
+public record CloudOptics(double albedo, double g, double backG, double backFraction) implements PhaseFunction {
     private static final int MOST_MIXED = 40;
 
     /** Returns the optics of a cloud of a level. */
@@ -30,7 +30,7 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
 
     /** Returns the Legendre moment of the phase function, 1 for degree 0. */
     double moment(int degree) {
-        return (1 - backShare) * Math.pow(g, degree) + backShare * Math.pow(backG, degree);
+        return (1 - backFraction) * Math.pow(g, degree) + backFraction * Math.pow(backG, degree);
     }
 
     /** Returns the mean cosine of the scattering angle. */
@@ -38,34 +38,34 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
         return moment(1);
     }
 
-    /** Returns the share of scattered light that counts as forward; never so much that the rest turns backwards. */
-    public double forwardShare() {
+    /** Returns the fraction of scattered light that counts as forward; never so much that the rest turns backwards. */
+    public double forwardFraction() {
         return Math.min(moment(2), Math.max(0, moment(1)));
     }
 
     /** Returns the medium whose forward peak counts as unscattered. */
     public DeltaScaling scaled() {
-        return DeltaScaling.of(albedo, meanCosine(), forwardShare());
+        return DeltaScaling.of(albedo, meanCosine(), forwardFraction());
     }
 
     @Override
     public double perSteradian(double separation) {
         double forward = new HenyeyGreenstein(g).perSteradian(separation);
-        return backShare == 0
+        return backFraction == 0
                 ? forward
-                : (1 - backShare) * forward + backShare * new HenyeyGreenstein(backG).perSteradian(separation);
+                : (1 - backFraction) * forward + backFraction * new HenyeyGreenstein(backG).perSteradian(separation);
     }
 
     @Override
     public double sampleSeparation(SplittableRandom random) {
-        double asymmetry = backShare > 0 && random.nextDouble() < backShare ? backG : g;
+        double asymmetry = backFraction > 0 && random.nextDouble() < backFraction ? backG : g;
         return new HenyeyGreenstein(asymmetry).sampleSeparation(random);
     }
 
-    /** Returns the share of light that is scattered into the cone around its direction whose edge has a separation. */
-    public double shareWithin(double separation) {
-        return (1 - backShare) * new HenyeyGreenstein(g).shareWithin(separation)
-                + backShare * new HenyeyGreenstein(backG).shareWithin(separation);
+    /** Returns the fraction of light that is scattered into the cone around its direction whose edge has a separation. */
+    public double fractionWithin(double separation) {
+        return (1 - backFraction) * new HenyeyGreenstein(g).fractionWithin(separation)
+                + backFraction * new HenyeyGreenstein(backG).fractionWithin(separation);
     }
 
     /**
@@ -73,16 +73,16 @@ public record CloudOptics(double albedo, double g, double backG, double backShar
      * remain such lobes: their asymmetries multiply. After many scatterings nothing is left of two different lobes.
      */
     double afterScatterings(int count, double separation) {
-        if (backShare == 0 || count > MOST_MIXED) {
+        if (backFraction == 0 || count > MOST_MIXED) {
             return new HenyeyGreenstein(Math.pow(meanCosine(), count)).perSteradian(separation);
         }
         double sum = 0;
         double choose = 1;
         for (int back = 0; back <= count; back++) {
-            double share = choose * Math.pow(1 - backShare, count - back) * Math.pow(backShare, back);
-            if (share > 0) {
+            double fraction = choose * Math.pow(1 - backFraction, count - back) * Math.pow(backFraction, back);
+            if (fraction > 0) {
                 double asymmetry = Math.pow(g, count - back) * Math.pow(backG, back);
-                sum += share * new HenyeyGreenstein(asymmetry).perSteradian(separation);
+                sum += fraction * new HenyeyGreenstein(asymmetry).perSteradian(separation);
             }
             choose *= (count - back) / (back + 1.0);
         }

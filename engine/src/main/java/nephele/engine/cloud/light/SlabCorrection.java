@@ -22,7 +22,7 @@ final class SlabCorrection {
     private static final int FIRST_DOUBLINGS = 22;
 
     private static final double GREATEST = 4;
-    /** Share of the fluxes that is aimed at, below 1: no error of the quadrature may make light. */
+    /** Fraction of the fluxes that is aimed at, below 1: no error of the quadrature may make light. */
     private static final double KEPT = 0.9988;
 
     private static final GaussLegendre ZENITH = new GaussLegendre(32);
@@ -106,9 +106,9 @@ final class SlabCorrection {
             addDiffuse(fluxes, slab, new Exit(0, mu, -mu * cosine, weight), thickness, cosine);
             addDiffuse(fluxes, slab, new Exit(1, mu, mu * cosine, weight), thickness, cosine);
             double sines = Math.sqrt((1 - mu * mu) * (1 - cosine * cosine));
-            double share = weight / AZIMUTHS;
-            setNarrow(above, new Exit(0, mu, -mu * cosine, share), thickness, cosine);
-            setNarrow(below, new Exit(1, mu, mu * cosine, share), thickness, cosine);
+            double fraction = weight / AZIMUTHS;
+            setNarrow(above, new Exit(0, mu, -mu * cosine, fraction), thickness, cosine);
+            setNarrow(below, new Exit(1, mu, mu * cosine, fraction), thickness, cosine);
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double level = sines * Math.cos((azimuth + 0.5) * Math.PI / AZIMUTHS);
                 fluxes.direct[0] = above.addedTo(fluxes.direct[0], 2 - 2 * (level - mu * cosine));
@@ -188,11 +188,11 @@ final class SlabCorrection {
         double y = clamped(cosine * COSINES - 1, 0, COSINES - 1.001);
         int row = (int) x;
         int column = (int) y;
-        double share = Math.min(1, depth / thickness);
+        double fraction = Math.min(1, depth / thickness);
         return Math.max(
                 0,
                 mixed(atTop, row, column, x - row, y - column)
-                        + share * mixed(slope, row, column, x - row, y - column));
+                        + fraction * mixed(slope, row, column, x - row, y - column));
     }
 
     private static double mixed(double[] table, int row, int column, double u, double v) {

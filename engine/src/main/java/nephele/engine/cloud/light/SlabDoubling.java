@@ -90,12 +90,12 @@ final class SlabDoubling {
         passed = through;
     }
 
-    /** Returns the share of a beam's light that leaves the lit side. */
+    /** Returns the fraction of a beam's light that leaves the lit side. */
     double reflectance(int beam) {
         return sum(reflected[NODES + beam]);
     }
 
-    /** Returns the share of a beam's light that leaves the other side, unscattered light included. */
+    /** Returns the fraction of a beam's light that leaves the other side, unscattered light included. */
     double transmittance(int beam) {
         return sum(passed[NODES + beam]);
     }

@@ -52,7 +52,7 @@ public final class SmallAngleScattering {
         double cosine = 1 - separation / 2;
         double[] terms = new double[orders];
         for (int n = 1; n <= orders; n++) {
-            double forward = Math.pow(optics.forwardShare(), n);
+            double forward = Math.pow(optics.forwardFraction(), n);
             double mean = Math.pow(optics.meanCosine(), n);
             double diffuse = (1 - forward + 3 * (mean - forward) * cosine) / (4 * Math.PI);
             terms[n - 1] = Math.pow(optics.albedo(), n) * (optics.afterScatterings(n, separation) - diffuse);
@@ -121,12 +121,12 @@ public final class SmallAngleScattering {
      */
     final class Steps {
         private final int[] rows;
-        private final double[] shares;
+        private final double[] fractions;
         private final double[] weights;
 
         private Steps(int count) {
             rows = new int[count];
-            shares = new double[count];
+            fractions = new double[count];
             weights = new double[count];
         }
 
@@ -134,7 +134,7 @@ public final class SmallAngleScattering {
         void set(int step, double depth, double weight) {
             double y = rowOf(depth);
             rows[step] = Math.min(DEPTHS - 2, (int) y);
-            shares[step] = y - rows[step];
+            fractions[step] = y - rows[step];
             weights[step] = weight;
         }
 
@@ -144,7 +144,7 @@ public final class SmallAngleScattering {
             int column = Math.min(SEPARATIONS - 2, (int) x);
             double all = sum;
             for (int step = 0; step < rows.length; step++) {
-                all += weights[step] * between(x, column, shares[step], rows[step]);
+                all += weights[step] * between(x, column, fractions[step], rows[step]);
             }
             return all;
         }

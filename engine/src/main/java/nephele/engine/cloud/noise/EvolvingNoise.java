@@ -14,36 +14,29 @@ public final class EvolvingNoise {
     public static final int GENERATIONS = 1024;
 
     private final PeriodicTable table;
-    private final TableMaxima maxima;
-    private final Layout layout;
+    private final double periodMetres;
+    private final double cosine;
+    private final double sine;
     private final double[] from;
     private final double[] to;
     private final double weightFrom;
     private final double weightTo;
 
-    /** The two generations between which the noise is. */
-    public enum Generation {
-        FADING,
-        COMING
-    }
-
     /**
-     * How the table lies in space. A turn by a rational angle keeps the pattern periodic.
+     * Lays out a table. A turn by a rational angle keeps the pattern periodic.
      *
      * @param periodMetres edge of the table's cube
      * @param cosine of the turn around the vertical
      * @param sine of the turn
-     */
-    public record Layout(double periodMetres, double cosine, double sine) {}
-
-    /**
      * @param seed of the offsets
      * @param generation of the noise, at least 0; a fraction is between two of them
      */
-    public EvolvingNoise(PeriodicTable table, Layout layout, long seed, double generation) {
+    public EvolvingNoise(
+            PeriodicTable table, double periodMetres, double cosine, double sine, long seed, double generation) {
         this.table = table;
-        maxima = table.maxima();
-        this.layout = layout;
+        this.periodMetres = periodMetres;
+        this.cosine = cosine;
+        this.sine = sine;
         double whole = Math.floor(generation);
         double angle = (generation - whole) * Math.PI / 2;
         from = offset(seed, (long) whole);
@@ -65,26 +58,36 @@ public final class EvolvingNoise {
         return table;
     }
 
-    public Layout layout() {
-        return layout;
+    /** Returns the edge of the table's cube. */
+    public double periodMetres() {
+        return periodMetres;
     }
 
-    /** Returns the offset of a generation, in periods. */
-    public Vec3 offset(Generation of) {
-        double[] offset = of == Generation.COMING ? to : from;
-        return new Vec3(offset[0], offset[1], offset[2]);
+    /** Returns the offset of the generation that fades, in periods. */
+    public Vec3 fadingOffset() {
+        return new Vec3(from[0], from[1], from[2]);
     }
 
-    /** Returns the weight of a generation's deviation from ½. */
-    public double weight(Generation of) {
-        return of == Generation.COMING ? weightTo : weightFrom;
+    /** Returns the offset of the generation that comes, in periods. */
+    public Vec3 comingOffset() {
+        return new Vec3(to[0], to[1], to[2]);
+    }
+
+    /** Returns the weight of the deviation from ½ of the generation that fades. */
+    public double fadingWeight() {
+        return weightFrom;
+    }
+
+    /** Returns the weight of the deviation from ½ of the generation that comes. */
+    public double comingWeight() {
+        return weightTo;
     }
 
     /** Returns the value at a point of the pattern, 0 to 1. */
     public double at(double x, double y, double z) {
-        double u = (layout.cosine * x - layout.sine * z) / layout.periodMetres;
-        double v = y / layout.periodMetres;
-        double w = (layout.sine * x + layout.cosine * z) / layout.periodMetres;
+        double u = (cosine * x - sine * z) / periodMetres;
+        double v = y / periodMetres;
+        double w = (sine * x + cosine * z) / periodMetres;
         double first = table.at(u + from[0], v + from[1], w + from[2]);
         if (weightTo == 0) {
             return first;
@@ -98,14 +101,12 @@ public final class EvolvingNoise {
 
     /** Returns an upper bound of the values in a box of the pattern, given by its centre and half its sides. */
     public double greatest(double x, double y, double z, double halfX, double halfY, double halfZ) {
-        double u = (layout.cosine * x - layout.sine * z) / layout.periodMetres;
-        double v = y / layout.periodMetres;
-        double w = (layout.sine * x + layout.cosine * z) / layout.periodMetres;
-        double cosine = Math.abs(layout.cosine);
-        double sine = Math.abs(layout.sine);
-        double du = (cosine * halfX + sine * halfZ) / layout.periodMetres;
-        double dv = halfY / layout.periodMetres;
-        double dw = (sine * halfX + cosine * halfZ) / layout.periodMetres;
+        double u = (cosine * x - sine * z) / periodMetres;
+        double v = y / periodMetres;
+        double w = (sine * x + cosine * z) / periodMetres;
+        double du = (Math.abs(cosine) * halfX + Math.abs(sine) * halfZ) / periodMetres;
+        double dv = halfY / periodMetres;
+        double dw = (Math.abs(sine) * halfX + Math.abs(cosine) * halfZ) / periodMetres;
         double first = greatest(from, u, v, w, du, dv, dw);
         return weightTo == 0 ? first : blended(first, greatest(to, u, v, w, du, dv, dw));
     }
@@ -114,6 +115,6 @@ public final class EvolvingNoise {
         double a = u + offset[0];
         double b = v + offset[1];
         double c = w + offset[2];
-        return maxima.greatest(a - du, b - dv, c - dw, a + du, b + dv, c + dw);
+        return table.greatest(a - du, b - dv, c - dw, a + du, b + dv, c + dw);
     }
 }

@@ -85,12 +85,12 @@ final class PeriodicNoise {
         }
     }
 
-    private static float edge(int[] left, int[] right, float x, float y, float z, float share) {
-        return mix(left[0] * x + left[1] * y + left[2] * z, right[0] * (x - 1) + right[1] * y + right[2] * z, share);
+    private static float edge(int[] left, int[] right, float x, float y, float z, float fraction) {
+        return mix(left[0] * x + left[1] * y + left[2] * z, right[0] * (x - 1) + right[1] * y + right[2] * z, fraction);
     }
 
-    private static float mix(float a, float b, float share) {
-        return a + (b - a) * share;
+    private static float mix(float a, float b, float fraction) {
+        return a + (b - a) * fraction;
     }
 
     /**

@@ -8,12 +8,26 @@ package nephele.engine.cloud.noise;
 public final class PeriodicTable {
     private static final double MOST = 65535;
 
+    /** Values along the edge of a block of which the greatest value is kept. */
+    private static final int BLOCK = 4;
+
+    /** A box of more blocks than these is bounded by all of them: it is large, and so is its maximum. */
+    private static final int MOST_BLOCKS = 64;
+
     private final int size;
     private final int layers;
     private final int mask;
     private final int layerMask;
     private final short[] values;
-    private volatile TableMaxima maxima;
+
+    /** Blocks along an edge of the base, each of {@value #BLOCK} values along its edges. */
+    private final int blocks;
+
+    private final int blockLayers;
+    /** The greatest value that interpolation in a block meets. */
+    private final int[] maxima;
+
+    private final int greatestOfAll;
 
     /**
      * @param size values along an edge of the base; a power of two
@@ -28,9 +42,35 @@ public final class PeriodicTable {
         this.values = values;
         mask = size - 1;
         layerMask = layers - 1;
+        blocks = size / BLOCK;
+        blockLayers = Math.max(1, layers / BLOCK);
+        maxima = new int[blocks * blockLayers * blocks];
+        int most = 0;
+        for (int k = 0; k < blocks; k++) {
+            for (int j = 0; j < blockLayers; j++) {
+                for (int i = 0; i < blocks; i++) {
+                    int block = maximum(BLOCK * i, BLOCK * j, BLOCK * k);
+                    maxima[(k * blockLayers + j) * blocks + i] = block;
+                    most = Math.max(most, block);
+                }
+            }
+        }
+        greatestOfAll = most;
     }
 
-    /** Returns the table whose values are the ranks of these: each share of 0 to 1 holds as large a share of them. */
+    private int maximum(int i, int j, int k) {
+        int greatest = 0;
+        for (int c = 0; c <= BLOCK; c++) {
+            for (int b = 0; b <= BLOCK; b++) {
+                for (int a = 0; a <= BLOCK; a++) {
+                    greatest = Math.max(greatest, value(i + a, j + b, k + c));
+                }
+            }
+        }
+        return greatest;
+    }
+
+    /** Returns the table whose values are the ranks of these: each fraction of 0 to 1 holds as large a fraction of them. */
     static PeriodicTable ranked(int size, float[] unordered) {
         int[] counts = new int[1 << 16];
         float least = Float.POSITIVE_INFINITY;
@@ -69,16 +109,6 @@ public final class PeriodicTable {
     /** Returns a copy of the values as a texture takes them: unsigned, x fastest, then y, then z. */
     public short[] unorm16() {
         return values.clone();
-    }
-
-    /** Returns the greatest values of blocks, found once. */
-    TableMaxima maxima() {
-        TableMaxima found = maxima;
-        if (found == null) {
-            found = new TableMaxima(this);
-            maxima = found;
-        }
-        return found;
     }
 
     /** Returns a value of the table, 0 to 65535; indices are taken modulo the size. */
@@ -122,5 +152,42 @@ public final class PeriodicTable {
     private double row(int first, int left, int right, double ofX) {
         int from = values[first + left] & 0xffff;
         return from + ((values[first + right] & 0xffff) - from) * ofX;
+    }
+
+    /** Returns an upper bound of the interpolated value in a box, whose sides are given in periods. */
+    double greatest(double minU, double minV, double minW, double maxU, double maxV, double maxW) {
+        long firstI = block(minU, blocks);
+        long firstJ = block(minV, blockLayers);
+        long firstK = block(minW, blocks);
+        int columns = count(firstI, maxU, blocks);
+        int layers = count(firstJ, maxV, blockLayers);
+        int rows = count(firstK, maxW, blocks);
+        if (columns * layers * rows > MOST_BLOCKS) {
+            return greatestOfAll / MOST;
+        }
+        int greatest = 0;
+        for (int k = 0; k < rows; k++) {
+            for (int j = 0; j < layers; j++) {
+                int row = (wrapped(firstK + k, blocks) * blockLayers + wrapped(firstJ + j, blockLayers)) * blocks;
+                for (int i = 0; i < columns; i++) {
+                    greatest = Math.max(greatest, maxima[row + wrapped(firstI + i, blocks)]);
+                }
+            }
+        }
+        return greatest / MOST;
+    }
+
+    /** Returns the block of a coordinate: positions from the first value's centre on are in the first block. */
+    private static long block(double periods, int along) {
+        return (long) Math.floor(along * periods - 0.5 / BLOCK);
+    }
+
+    private static int count(long first, double last, int along) {
+        return (int) Math.min(along, block(last, along) - first + 1);
+    }
+
+    /** @param along a power of two */
+    private static int wrapped(long block, int along) {
+        return (int) (block & along - 1);
     }
 }

@@ -55,21 +55,21 @@ public record NoiseOctave(
         return generationSeconds > 0 ? cell(Math.floor(seconds / generationSeconds) % GENERATIONS) : 0;
     }
 
-    private double share(double seconds) {
+    private double fraction(double seconds) {
         double passed = generationSeconds > 0 ? seconds / generationSeconds : 0;
         return passed - Math.floor(passed);
     }
 
     /** Returns the weight of the generation that fades. */
     public double fading(double seconds) {
-        double share = share(seconds);
-        return isSmooth ? Math.cos(Math.PI / 2 * eased(share)) : 1 - share;
+        double fraction = fraction(seconds);
+        return isSmooth ? Math.cos(Math.PI / 2 * eased(fraction)) : 1 - fraction;
     }
 
     /** Returns that of the generation that comes. */
     public double coming(double seconds) {
-        double share = share(seconds);
-        return isSmooth ? Math.sin(Math.PI / 2 * eased(share)) : share;
+        double fraction = fraction(seconds);
+        return isSmooth ? Math.sin(Math.PI / 2 * eased(fraction)) : fraction;
     }
 
     private static double eased(double t) {

@@ -35,6 +35,8 @@ final class ContactSearch {
     /** Walking feet exert no force along the ground on average, and a character pushes without friction. */
     private static final double CHARACTER_FRICTION_COEFFICIENT = 0;
 
+    private static final int NO_ENTRY = -1;
+
     private final BodyTable table;
     private final Poses poses;
     private final SolverState motions;
@@ -45,8 +47,11 @@ final class ContactSearch {
 
     private double[] from = new double[0];
     private final ItemList pairs = new ItemList();
-    private final ContactCache.Index memory = new ContactCache.Index();
+    /** The contacts of the step before, and their entries by their shapes in a hash table with linear probing. */
     private ContactCache last = ContactCache.NONE;
+
+    private int[] entries = new int[16];
+    private int mask = 15;
     private final Manifold manifold = new Manifold();
     private final ItemList near = new ItemList();
     private final double[] offset = new double[3];
@@ -81,7 +86,35 @@ final class ContactSearch {
     /** Sets the contacts of the step before, which warm start those of this one. */
     void index(ContactCache contacts) {
         last = contacts;
-        memory.index(contacts);
+        int size = Integer.highestOneBit(Math.max(8, last.size())) * 4;
+        if (entries.length < size) {
+            entries = new int[size];
+        }
+        mask = size - 1;
+        Arrays.fill(entries, 0, size, NO_ENTRY);
+        for (int i = 0; i < last.size(); i++) {
+            int at = slot(ContactCache.parties(last.key(i)));
+            while (entries[at] != NO_ENTRY) {
+                at = at + 1 & mask;
+            }
+            entries[at] = i;
+        }
+    }
+
+    private int slot(long parties) {
+        long mixed = parties * 0x9e3779b97f4a7c15L;
+        return (int) (mixed >>> 32) & mask;
+    }
+
+    /** Returns the entry of the step before with the shapes and touching features of a key, {@link #NO_ENTRY} for none. */
+    private int entry(long key) {
+        long parties = ContactCache.parties(key);
+        int at = slot(parties);
+        while (entries[at] != NO_ENTRY && ContactCache.parties(last.key(entries[at])) != parties) {
+            at = at + 1 & mask;
+        }
+        int found = entries[at];
+        return found != NO_ENTRY && ContactCache.isSameFeatures(last.key(found), key) ? found : NO_ENTRY;
     }
 
     /** Wakes the sleeping bodies that a moving shape is about to touch; returns true if any was woken. */
@@ -326,8 +359,8 @@ final class ContactSearch {
 
     /** Warm starts a manifold: copies the impulses of the step before to the rows of the same points. */
     private void recall(int m) {
-        int entry = memory.find(rows.key[m]);
-        if (entry < 0) {
+        int entry = entry(rows.key[m]);
+        if (entry == NO_ENTRY) {
             return;
         }
         double scale = last.scaleTo(seconds);

@@ -69,11 +69,11 @@ public final class AutoExposure {
     /** Returns the stops after some simulated time of adaption to a picture that calls for {@code target}. */
     public static double adapted(double stops, double target, double seconds) {
         double perSecond = target > stops ? BRIGHTENING_PER_SECOND : DARKENING_PER_SECOND;
-        return stops + share(perSecond, seconds) * (target - stops);
+        return stops + approach(perSecond, seconds) * (target - stops);
     }
 
     /** Returns the share of the way in some time; many short steps make one long one. */
-    public static double share(double perSecond, double seconds) {
+    public static double approach(double perSecond, double seconds) {
         return -Math.expm1(-perSecond * seconds);
     }
 }

@@ -14,10 +14,10 @@ import nephele.engine.math.Vec3;
  * @param layers those that are layers
  * @param seeds tables of noise
  * @param cells of all clouds at a time
- * @param share 0–1, cells that the clouds have of those that they would have alone
+ * @param fraction 0–1, cells that the clouds have of those that they would have alone
  * @param samples times of which cells are kept
  */
-public record CloudDemand(int clouds, int layers, int seeds, long cells, double share, int samples) {
+public record CloudDemand(int clouds, int layers, int seeds, long cells, double fraction, int samples) {
     /** Cells of all clouds, unless they are too many to be divided more coarsely. */
     public static final long MOST_CELLS = 8_000_000;
 
@@ -61,7 +61,7 @@ public record CloudDemand(int clouds, int layers, int seeds, long cells, double 
     /** Returns the demand of clouds. */
     public static CloudDemand of(List<Cloud> clouds) {
         long alone = clouds.stream().mapToLong(cloud -> cells(cloud, 1)).sum();
-        double share = Math.min(1, MOST_CELLS / Math.max(1.0, alone));
+        double fraction = Math.min(1, MOST_CELLS / Math.max(1.0, alone));
         boolean isStill = clouds.stream().allMatch(cloud -> cloud.motion().equals(Cloud.Motion.STILL));
         return new CloudDemand(
                 clouds.size(),
@@ -71,8 +71,8 @@ public record CloudDemand(int clouds, int layers, int seeds, long cells, double 
                         .map(cloud -> ((Cloud.Density.Noise) cloud.density()).seed())
                         .distinct()
                         .count(),
-                clouds.stream().mapToLong(cloud -> cells(cloud, share)).sum(),
-                share,
+                clouds.stream().mapToLong(cloud -> cells(cloud, fraction)).sum(),
+                fraction,
                 isStill ? 1 : KEPT);
     }
 
@@ -80,38 +80,38 @@ public record CloudDemand(int clouds, int layers, int seeds, long cells, double 
         return cloud.extent() instanceof Cloud.Extent.Layer;
     }
 
-    private static long cells(Cloud cloud, double share) {
+    private static long cells(Cloud cloud, double fraction) {
         if (cloud.extent() instanceof Cloud.Extent.Volume volume) {
-            int longest = longest(share);
+            int longest = longest(fraction);
             Vec3 size = volume.size();
             double cell = Math.max(size.x(), Math.max(size.y(), size.z())) / longest;
             return along(size.x(), cell) * along(size.y(), cell) * along(size.z(), cell);
         }
         double height = ((Cloud.Extent.Layer) cloud.extent()).thicknessMetres();
-        return (long) LAYER_BOXES * LAYER_ACROSS * LAYER_ACROSS * rows(height, share);
+        return (long) LAYER_BOXES * LAYER_ACROSS * LAYER_ACROSS * rows(height, fraction);
     }
 
     private static long along(double metres, double cell) {
         return Math.max(1, Math.round(metres / cell));
     }
 
-    private static int longest(double share) {
-        return (int) Math.max(LEAST_LONGEST, Math.floor(LONGEST * Math.cbrt(share)));
+    private static int longest(double fraction) {
+        return (int) Math.max(LEAST_LONGEST, Math.floor(LONGEST * Math.cbrt(fraction)));
     }
 
-    private static int rows(double heightMetres, double share) {
+    private static int rows(double heightMetres, double fraction) {
         double alone = Math.max(FEWEST_ROWS, Math.min(MOST_ROWS, Math.round(heightMetres / ROW_METRES)));
-        return (int) Math.max(LEAST_ROWS, Math.floor(alone * share));
+        return (int) Math.max(LEAST_ROWS, Math.floor(alone * fraction));
     }
 
     /** Returns the cells along the longest edge of a finite cloud. */
     public int longest() {
-        return longest(share);
+        return longest(fraction);
     }
 
     /** Returns the rows of a layer's cells. */
     public int rows(double heightMetres) {
-        return rows(heightMetres, share);
+        return rows(heightMetres, fraction);
     }
 
     /** Returns the memory that Java needs for them and for what else a picture needs, estimated. */

@@ -35,8 +35,8 @@ public final class ExitCurtain {
         double x = point.x() - exit.feet().x();
         double z = point.z() - exit.feet().z();
         double height = (point.y() - exit.feet().y()) / exit.heightMetres();
-        double share = StrictMath.sqrt(x * x + z * z) / exit.radiusMetres();
-        if (height < 0 || height > 1 || share > 1 || share < 1 - SHELL_SHARE) {
+        double fraction = StrictMath.sqrt(x * x + z * z) / exit.radiusMetres();
+        if (height < 0 || height > 1 || fraction > 1 || fraction < 1 - SHELL_SHARE) {
             return Vec3.ZERO;
         }
         double thickness = SHELL_SHARE * exit.radiusMetres();

@@ -77,8 +77,8 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
                 .addScaled(placement.shiftVMetres(), frame.up());
         double sMetres = frame.uMetres() * Math.abs(placement.scaleU());
         double tMetres = frame.vMetres() * Math.abs(placement.scaleV());
-        Axis s = new Axis(pivot.dot(across) - frame.pivotShare() * sMetres, sMetres, 0);
-        Axis t = new Axis(-pivot.dot(up) - frame.pivotShare() * tMetres, tMetres, 0);
+        Axis s = new Axis(pivot.dot(across) - frame.pivotFraction() * sMetres, sMetres, 0);
+        Axis t = new Axis(-pivot.dot(up) - frame.pivotFraction() * tMetres, tMetres, 0);
         return new FaceTexture(across, up, reduced(face, across, s), reduced(face, up.negated(), t));
     }
 

@@ -77,8 +77,8 @@ public record FogTransmittance(
         double high = Math.max(from, to);
         double lowAbove = Math.max(0, low);
         double above = Math.max(0, high) - lowAbove;
-        double share = above > 0 ? above / (high - low) : low > 0 ? 1 : 0;
+        double fraction = above > 0 ? above / (high - low) : low > 0 ? 1 : 0;
         double decay = above < SERIES_BELOW ? 1 - above * (0.5 - above / 6) : (1 - StrictMath.exp(-above)) / above;
-        return 1 - share + share * StrictMath.exp(-lowAbove) * decay;
+        return 1 - fraction + fraction * StrictMath.exp(-lowAbove) * decay;
     }
 }

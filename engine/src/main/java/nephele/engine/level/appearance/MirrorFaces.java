@@ -51,6 +51,6 @@ public final class MirrorFaces {
 
     private static boolean isOn(Solid solid, Predicate<String> isMirror) {
         return isMirror.test(solid.material())
-                || SolidFaces.said(solid).values().stream().anyMatch(face -> isMirror.test(face.material()));
+                || SolidFaces.authored(solid).values().stream().anyMatch(face -> isMirror.test(face.material()));
     }
 }

@@ -28,10 +28,10 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     public static Moonlight of(Atmosphere sky, Sun sun) {
         Vec3 towardsMoon = CelestialPositions.towardsMoon(sky);
         Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        double share =
-                fade(towardsSun.y()) * SunOverLimb.seen(0, towardsMoon.y()).share();
+        double fraction =
+                fade(towardsSun.y()) * SunOverLimb.of(0, towardsMoon.y()).fraction();
         double full = NIGHT_GAIN * ALBEDO * RADIUS_SINE * RADIUS_SINE;
-        return new Moonlight(towardsMoon, COLOUR.scaled(share * full * phase(towardsMoon.dot(towardsSun))));
+        return new Moonlight(towardsMoon, COLOUR.scaled(fraction * full * phase(towardsMoon.dot(towardsSun))));
     }
 
     /** Returns the sine of the moon's elevation some simulated seconds after an instant. */
@@ -59,7 +59,7 @@ public record Moonlight(Vec3 towardsMoon, Vec3 irradiance) {
     /** Returns the irradiance if no horizon hid a part of the disc; zero if all of it is hidden at y = 0. */
     public Vec3 ofWholeDisc() {
         return shines()
-                ? irradiance.scaled(1 / SunOverLimb.seen(0, towardsMoon.y()).share())
+                ? irradiance.scaled(1 / SunOverLimb.of(0, towardsMoon.y()).fraction())
                 : irradiance;
     }
 

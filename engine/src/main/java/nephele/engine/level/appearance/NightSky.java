@@ -68,11 +68,11 @@ public final class NightSky {
     private final Vec3 zenithDepth;
     private final double horizonRadians;
 
-    private NightSky(Sky.Atmosphere sky, Sun sun, double share, double eyeHeight) {
+    private NightSky(Sky.Atmosphere sky, Sun sun, double fraction, double eyeHeight) {
         towardsSun = Directions.unit(sun.directionTowardsSun());
         towardsMoon = CelestialPositions.towardsMoon(sky);
         starAxes = CelestialPositions.celestialAxes(sky);
-        strength = sun.irradiance().scaled(share);
+        strength = sun.irradiance().scaled(fraction);
         Vec3 zenith = Daylight.air(sky).transmittance(0, 1);
         zenithDepth = new Vec3(-Math.log(zenith.x()), -Math.log(zenith.y()), -Math.log(zenith.z()));
         horizonRadians = SkyTable.horizonRadians(Math.max(0, eyeHeight));

@@ -1,5 +1,6 @@
 package nephele.engine.level.appearance;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
@@ -48,13 +49,16 @@ public interface SkyRadiance {
         } else if (sky instanceof Sky.Gradient gradient) {
             return Optional.of(of(gradient));
         } else if (sky instanceof Sky.Skybox box) {
-            return Optional.of(around(SkyboxFaces.of(box, pictureOf, decoding)));
+            return Optional.of(of(box, SkyboxPictures.of(box, pictureOf), decoding));
         }
         return Optional.empty();
     }
 
-    private static SkyRadiance around(SkyboxFaces faces) {
-        return (height, x, y, z) -> faces.radiance(x, y, z);
+    private static SkyRadiance of(Sky.Skybox box, SkyboxPictures pictures, ColourDecoding decoding) {
+        double[] linear = Arrays.stream(decoding.table())
+                .map(value -> box.whiteRadiance() * value)
+                .toArray();
+        return (height, x, y, z) -> pictures.radiance(linear, x, y, z);
     }
 
     /** By numerical integration, which takes some 0.1 ms for a direction. */

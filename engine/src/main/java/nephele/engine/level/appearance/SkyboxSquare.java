@@ -1,6 +1,7 @@
 package nephele.engine.level.appearance;
 
 import java.util.List;
+import nephele.engine.level.BoxFace;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
@@ -13,7 +14,7 @@ import nephele.engine.math.Vec3;
  * @param right the direction of its picture's right
  * @param down the direction of its picture's lower edge
  */
-public record SkyboxSquare(String name, Axis outward, Axis right, Axis down) {
+public record SkyboxSquare(String name, BoxFace outward, BoxFace right, BoxFace down) {
     /**
      * The squares in the order +x −x +y −y +z −z as seen from the centre. Sides have up at their top edge; +y has −z at
      * its bottom edge, −y at its top edge.
@@ -40,39 +41,13 @@ public record SkyboxSquare(String name, Axis outward, Axis right, Axis down) {
             "front -z +x -y", "right +x +z -y", "back +z -x -y", "left -x -z -y", "up +y +x -z", "down -y +x +z");
 
     /**
-     * A coordinate axis with its sign.
-     *
-     * @param index 0 x, 1 y, 2 z
-     * @param sign 1 or −1
-     */
-    public record Axis(int index, int sign) {
-        private static Axis of(String text) {
-            return new Axis(text.charAt(1) - 'x', text.charAt(0) == '+' ? 1 : -1);
-        }
-
-        /** Returns the unit vector's component, −1, 0 or 1. */
-        public int component(int axis) {
-            return axis == index ? sign : 0;
-        }
-
-        /** Returns 1 for the same direction, −1 for the opposite one, 0 for perpendicular axes. */
-        int dot(Axis other) {
-            return index == other.index ? sign * other.sign : 0;
-        }
-    }
-
-    /**
      * Returns the direction of a point of the picture, not of unit length.
      *
      * @param s −1 at the left edge, 1 at the right one
      * @param t −1 at the upper edge, 1 at the lower one
      */
     public Vec3 direction(double s, double t) {
-        return new Vec3(component(0, s, t), component(1, s, t), component(2, s, t));
-    }
-
-    private double component(int axis, double s, double t) {
-        return outward.component(axis) + s * right.component(axis) + t * down.component(axis);
+        return outward.normal().addScaled(s, right.normal()).addScaled(t, down.normal());
     }
 
     /** Returns the frame that looks at the picture. */
@@ -102,6 +77,6 @@ public record SkyboxSquare(String name, Axis outward, Axis right, Axis down) {
 
     private static SkyboxSquare square(String line) {
         String[] words = line.split(" ");
-        return new SkyboxSquare(words[0], Axis.of(words[1]), Axis.of(words[2]), Axis.of(words[3]));
+        return new SkyboxSquare(words[0], BoxFace.of(words[1]), BoxFace.of(words[2]), BoxFace.of(words[3]));
     }
 }

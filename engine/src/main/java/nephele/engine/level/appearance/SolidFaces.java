@@ -40,7 +40,7 @@ public final class SolidFaces {
     }
 
     /** Returns what a solid says of its faces: no entry for a face of which it says nothing, but for planes. */
-    public static Map<String, Solid.Face> said(Solid solid) {
+    public static Map<String, Solid.Face> authored(Solid solid) {
         if (solid instanceof Solid.Wedge wedge) {
             return wedge.faces();
         } else if (solid instanceof Solid.Prism prism) {
@@ -51,8 +51,8 @@ public final class SolidFaces {
             box.faces().forEach((side, face) -> faces.put(side.text(), face));
         } else if (solid instanceof Solid.Planes planes) {
             for (int i = 0; i < planes.planes().size(); i++) {
-                Solid.PlaneFace said = planes.planes().get(i);
-                faces.put(plane(i), new Solid.Face(said.material(), said.portalable(), said.texture()));
+                Solid.PlaneFace authored = planes.planes().get(i);
+                faces.put(plane(i), new Solid.Face(authored.material(), authored.portalable(), authored.texture()));
             }
         }
         return faces;
@@ -64,8 +64,8 @@ public final class SolidFaces {
     }
 
     /** Returns what a solid says of one face. */
-    public static Solid.Face said(Solid solid, String face) {
-        return said(solid).getOrDefault(face, Solid.Face.INHERITED);
+    public static Solid.Face authored(Solid solid, String face) {
+        return authored(solid).getOrDefault(face, Solid.Face.INHERITED);
     }
 
     /**
@@ -73,46 +73,50 @@ public final class SolidFaces {
      *
      * @throws IllegalArgumentException if the solid has no such face
      */
-    public static Solid with(Solid solid, String face, Solid.Face said) {
+    public static Solid with(Solid solid, String face, Solid.Face authored) {
         if (!names(solid).contains(face)) {
             throw new IllegalArgumentException(solid.id() + " has no face " + face);
         }
         return withKnown(
                 solid,
                 face,
-                TexturePlacement.NONE.equals(said.texture())
-                        ? new Solid.Face(said.material(), said.portalable(), null)
-                        : said);
+                TexturePlacement.NONE.equals(authored.texture())
+                        ? new Solid.Face(authored.material(), authored.portalable(), null)
+                        : authored);
     }
 
-    private static Solid withKnown(Solid solid, String face, Solid.Face said) {
+    private static Solid withKnown(Solid solid, String face, Solid.Face authored) {
         if (solid instanceof Solid.Box box) {
             BoxFace side = BoxFace.values()[names(solid).indexOf(face)];
-            return box.withFaces(with(box.faces(), side, said));
+            return box.withFaces(with(box.faces(), side, authored));
         } else if (solid instanceof Solid.Wedge wedge) {
-            return wedge.withFaces(with(wedge.faces(), face, said));
+            return wedge.withFaces(with(wedge.faces(), face, authored));
         } else if (solid instanceof Solid.Prism prism) {
-            return prism.withFaces(with(prism.faces(), face, said));
+            return prism.withFaces(with(prism.faces(), face, authored));
         }
-        return with((Solid.Planes) solid, names(solid).indexOf(face), said);
+        return with((Solid.Planes) solid, names(solid).indexOf(face), authored);
     }
 
-    private static Solid with(Solid.Planes solid, int index, Solid.Face said) {
+    private static Solid with(Solid.Planes solid, int index, Solid.Face authored) {
         List<Solid.PlaneFace> planes = new ArrayList<>(solid.planes());
         Solid.PlaneFace plane = planes.get(index);
         planes.set(
                 index,
                 new Solid.PlaneFace(
-                        plane.normal(), plane.distanceMetres(), said.material(), said.portalable(), said.texture()));
+                        plane.normal(),
+                        plane.distanceMetres(),
+                        authored.material(),
+                        authored.portalable(),
+                        authored.texture()));
         return solid.withPlanes(Collections.unmodifiableList(planes));
     }
 
-    private static <N> Map<N, Solid.Face> with(Map<N, Solid.Face> faces, N name, Solid.Face said) {
+    private static <N> Map<N, Solid.Face> with(Map<N, Solid.Face> faces, N name, Solid.Face authored) {
         Map<N, Solid.Face> changed = new TreeMap<>(faces);
-        if (said.equals(Solid.Face.INHERITED)) {
+        if (authored.equals(Solid.Face.INHERITED)) {
             changed.remove(name);
         } else {
-            changed.put(name, said);
+            changed.put(name, authored);
         }
         return changed.isEmpty() ? Map.of() : Collections.unmodifiableMap(changed);
     }

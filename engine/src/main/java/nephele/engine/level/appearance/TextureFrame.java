@@ -10,11 +10,11 @@ import nephele.engine.math.Vec3;
  * @param across unit direction of the picture's right on the face
  * @param up unit direction of its up
  * @param pivot the point about which the picture is scaled and turned, only its position along the face counts
- * @param pivotShare both texture coordinates of the pivot
+ * @param pivotFraction both texture coordinates of the pivot
  * @param uMetres width of one repeat
  * @param vMetres its height
  */
-public record TextureFrame(Vec3 across, Vec3 up, Vec3 pivot, double pivotShare, double uMetres, double vMetres) {
+public record TextureFrame(Vec3 across, Vec3 up, Vec3 pivot, double pivotFraction, double uMetres, double vMetres) {
     /**
      * Returns the frame of a face.
      *

@@ -48,7 +48,7 @@ public record WeatherCourse(List<WeatherKeyframe> keyframes) {
     }
 
     /** Returns the share of a weather at a time, 0 to 1; all shares together are 1. */
-    public double share(Weather weather, double seconds) {
+    public double weight(Weather weather, double seconds) {
         int next = 0;
         while (next < keyframes.size() && keyframes.get(next).timeSeconds() <= seconds) {
             next++;

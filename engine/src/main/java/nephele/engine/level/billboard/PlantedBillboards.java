@@ -38,14 +38,14 @@ public record PlantedBillboards(List<Group> groups) {
      *
      * @param feet the middles of their lower edges
      */
-    public record Group(Billboards said, List<Vec3> feet) {
+    public record Group(Billboards authored, List<Vec3> feet) {
         public Group {
             feet = List.copyOf(feet);
         }
 
         /** Returns the size of a billboard as a share of the largest one's. */
         public double scale(int index) {
-            return 1 - said.heightVariation() * random(index, SIZE);
+            return 1 - authored.heightVariation() * random(index, SIZE);
         }
 
         /** Returns a random part of a turn or of a round of frames, in [0, 1). */
@@ -59,15 +59,15 @@ public record PlantedBillboards(List<Group> groups) {
         }
 
         private double random(int index, int purpose) {
-            return new SeededNoise(said.id().hashCode()).unit(index, purpose, 0);
+            return new SeededNoise(authored.id().hashCode()).unit(index, purpose, 0);
         }
 
         /** Returns a box that holds a billboard however it is turned and swayed. */
         public Aabb bounds(int index) {
             double scale = scale(index);
-            double width = said.sizeMetres().width() * scale;
-            double height = said.sizeMetres().height() * scale;
-            double reach = Math.hypot(width, height) / 2 + height * Sway.most(said.windMetresPerSecond());
+            double width = authored.sizeMetres().width() * scale;
+            double height = authored.sizeMetres().height() * scale;
+            double reach = Math.hypot(width, height) / 2 + height * Sway.most(authored.windMetresPerSecond());
             Vec3 middle = feet.get(index).plus(new Vec3(0, height / 2, 0));
             return Aabb.around(middle, new Vec3(2 * reach, 2 * reach, 2 * reach));
         }
@@ -76,11 +76,11 @@ public record PlantedBillboards(List<Group> groups) {
     /** Returns corners between which all billboards with edges are, without planting them. */
     public static List<Vec3> reach(Level level, StaticShapes statics) {
         List<Vec3> corners = new ArrayList<>();
-        for (Billboards said : level.billboards()) {
-            if (!said.blended()) {
-                double reach =
-                        Math.hypot(said.sizeMetres().width(), said.sizeMetres().height());
-                Aabb box = said.field() == null ? said.listedBounds() : statics.bounds();
+        for (Billboards authored : level.billboards()) {
+            if (!authored.blended()) {
+                double reach = Math.hypot(
+                        authored.sizeMetres().width(), authored.sizeMetres().height());
+                Aabb box = authored.field() == null ? authored.listedBounds() : statics.bounds();
                 addCorners(box.grown(reach), corners);
             }
         }
@@ -100,12 +100,10 @@ public record PlantedBillboards(List<Group> groups) {
      */
     public static PlantedBillboards of(Level level, StaticShapes statics, AssetSource assets) {
         List<Group> groups = new ArrayList<>();
-        var grounds = new FieldGrounds(statics);
-        for (Billboards said : level.billboards()) {
-            List<Vec3> feet = said.field() == null
-                    ? said.at()
-                    : BillboardField.plant(said.field(), grounds.of(said.field()), assets);
-            groups.add(new Group(said, feet));
+        var planting = new FieldPlanting(statics);
+        for (Billboards authored : level.billboards()) {
+            List<Vec3> feet = authored.field() == null ? authored.at() : planting.plant(authored.field(), assets);
+            groups.add(new Group(authored, feet));
         }
         return new PlantedBillboards(groups);
     }

@@ -3,6 +3,7 @@ package nephele.engine.level.billboard;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.SeededNoise;
 
 /**
@@ -16,6 +17,11 @@ public final class PoissonDisc {
     /** Throws in succession that fail before the gaps are filled. */
     private static final int FAILURES = 400;
 
+    private static final int NONE = -1;
+
+    /** Cells to either side in which a point can be too near. */
+    private static final int REACH = 2;
+
     private static final double TURN = 2 * StrictMath.PI;
 
     /** Decides whether a point may be at a place. */
@@ -28,24 +34,34 @@ public final class PoissonDisc {
     private final double spacing;
     private final int most;
     private final SeededNoise noise;
-    private final Ground.Area area;
+    private final Aabb area;
     private final Chooser chooser;
-    private final DiscCells cells;
+    /** Side of a cell of an endless grid, whose cells hold at most one point: their diagonal is the least distance. */
+    private final double cell;
+
+    /** A table of the cells with open addressing, because an area may have many more cells than points. */
+    private final long[] cellKeys;
+
+    private final int[] cellPoints;
     private final List<double[]> points = new ArrayList<>();
     private int thrown;
 
-    private PoissonDisc(Ground.Area area, double spacing, int most, int seed, Chooser chooser) {
+    private PoissonDisc(Aabb area, double spacing, int most, int seed, Chooser chooser) {
         this.area = area;
         this.spacing = spacing;
         this.most = most;
         this.chooser = chooser;
         noise = new SeededNoise(seed);
-        cells = new DiscCells(spacing, most);
+        cell = spacing / StrictMath.sqrt(2);
+        int size = Integer.highestOneBit(Math.max(8, most)) * 4;
+        cellKeys = new long[size];
+        cellPoints = new int[size];
+        Arrays.fill(cellPoints, NONE);
     }
 
     /** Returns at most {@code most} points of the area, each x and z; fewer only if hardly any room is left. */
-    public static List<double[]> points(Ground.Area area, double spacing, int most, int seed, Chooser chooser) {
-        if (area.isEmpty()) {
+    public static List<double[]> points(Aabb area, double spacing, int most, int seed, Chooser chooser) {
+        if (!(area.maxX() > area.minX() && area.maxZ() > area.minZ())) {
             return List.of();
         }
         PoissonDisc disc = new PoissonDisc(area, spacing, most, seed, chooser);
@@ -57,8 +73,8 @@ public final class PoissonDisc {
     private void throwOverAll() {
         for (int failures = 0; failures < FAILURES && points.size() < most; ) {
             int at = thrown++;
-            double x = area.minX() + area.width() * noise.unit(at, 0, 1);
-            double z = area.minZ() + area.depth() * noise.unit(at, 0, 2);
+            double x = area.minX() + (area.maxX() - area.minX()) * noise.unit(at, 0, 1);
+            double z = area.minZ() + (area.maxZ() - area.minZ()) * noise.unit(at, 0, 2);
             failures = offer(x, z, noise.unit(at, 0, 3)) ? 0 : failures + 1;
         }
     }
@@ -81,76 +97,47 @@ public final class PoissonDisc {
 
     private boolean offer(double x, double z, double chance) {
         boolean isInside = x >= area.minX() && x <= area.maxX() && z >= area.minZ() && z <= area.maxZ();
-        if (!isInside || !cells.isFree(points, x, z) || !chooser.accepts(x, z, chance)) {
+        if (!isInside || !isFree(x, z) || !chooser.accepts(x, z, chance)) {
             return false;
         }
-        cells.put(points.size(), x, z);
+        cellPoints[slot(column(x), column(z))] = points.size();
         points.add(new double[] {x, z});
         return true;
     }
 
-    /**
-     * The points of an endless grid whose cells hold at most one: their diagonal is the least distance. A table with open
-     * addressing, because an area may have many more cells than points.
-     */
-    private static final class DiscCells {
-        private static final int NONE = -1;
-        /** Cells to either side in which a point can be too near. */
-        private static final int REACH = 2;
+    private int column(double metres) {
+        return (int) Math.floor(metres / cell);
+    }
 
-        private final double spacing;
-        private final double cell;
-        private final int mask;
-        private final long[] keys;
-        private final int[] points;
-
-        DiscCells(double spacing, int most) {
-            this.spacing = spacing;
-            cell = spacing / StrictMath.sqrt(2);
-            int size = Integer.highestOneBit(Math.max(8, most)) * 4;
-            mask = size - 1;
-            keys = new long[size];
-            points = new int[size];
-            Arrays.fill(points, NONE);
+    /** Returns the slot of a cell: the one that holds it, or a free one. */
+    private int slot(int x, int z) {
+        int mask = cellKeys.length - 1;
+        long key = (long) x << 32 | z & 0xffffffffL;
+        long mixed = key * 0x9E3779B97F4A7C15L;
+        int slot = (int) (mixed >>> 32) & mask;
+        while (cellPoints[slot] != NONE && cellKeys[slot] != key) {
+            slot = slot + 1 & mask;
         }
+        cellKeys[slot] = key;
+        return slot;
+    }
 
-        private int column(double metres) {
-            return (int) Math.floor(metres / cell);
-        }
-
-        /** Returns the slot of a cell: the one that holds it, or a free one. */
-        private int slot(int x, int z) {
-            long key = (long) x << 32 | z & 0xffffffffL;
-            long mixed = key * 0x9E3779B97F4A7C15L;
-            int slot = (int) (mixed >>> 32) & mask;
-            while (points[slot] != NONE && keys[slot] != key) {
-                slot = slot + 1 & mask;
-            }
-            keys[slot] = key;
-            return slot;
-        }
-
-        void put(int point, double x, double z) {
-            points[slot(column(x), column(z))] = point;
-        }
-
-        /** Returns true if no point is nearer than the spacing. */
-        boolean isFree(List<double[]> all, double x, double z) {
-            int column = column(x);
-            int row = column(z);
-            for (int i = column - REACH; i <= column + REACH; i++) {
-                for (int j = row - REACH; j <= row + REACH; j++) {
-                    int point = points[slot(i, j)];
-                    if (point != NONE) {
-                        double dx = all.get(point)[0] - x;
-                        double dz = all.get(point)[1] - z;
-                        if (dx * dx + dz * dz < spacing * spacing) {
-                            return false;
-                        }
+    /** Returns true if no point is nearer than the spacing. */
+    private boolean isFree(double x, double z) {
+        int column = column(x);
+        int row = column(z);
+        for (int i = column - REACH; i <= column + REACH; i++) {
+            for (int j = row - REACH; j <= row + REACH; j++) {
+                int point = cellPoints[slot(i, j)];
+                if (point != NONE) {
+                    double dx = points.get(point)[0] - x;
+                    double dz = points.get(point)[1] - z;
+                    if (dx * dx + dz * dz < spacing * spacing) {
+                        return false;
                     }
                 }
             }
-            return true;
         }
+        return true;
     }
 }

@@ -6,8 +6,8 @@ package nephele.engine.level.billboard;
  */
 public final class Sway {
     private static final double PERIOD_SECONDS = 2.6;
-    private static final double SHARE_PER_SPEED = 0.012;
-    private static final double MOST_SHARE = 0.3;
+    private static final double FRACTION_PER_SPEED = 0.012;
+    private static final double MOST_FRACTION = 0.3;
     /** The part of the lean that comes and goes. */
     public static final double SWINGING = 0.55;
 
@@ -15,12 +15,12 @@ public final class Sway {
 
     /** Returns the greatest displacement of the upper edge, as a share of the height. */
     public static double most(double windMetresPerSecond) {
-        return Math.min(MOST_SHARE, SHARE_PER_SPEED * windMetresPerSecond) * (1 + SWINGING);
+        return Math.min(MOST_FRACTION, FRACTION_PER_SPEED * windMetresPerSecond) * (1 + SWINGING);
     }
 
     /** Returns the steady lean of the upper edge, as a share of the height. */
     public static double lean(double windMetresPerSecond) {
-        return Math.min(MOST_SHARE, SHARE_PER_SPEED * windMetresPerSecond);
+        return Math.min(MOST_FRACTION, FRACTION_PER_SPEED * windMetresPerSecond);
     }
 
     /** Returns the turns of the swing at a time, in [0, 1); exact after years. */

@@ -2,28 +2,23 @@ package nephele.engine.level.json;
 
 /** Formats a tree as text: two spaces of indentation and arrays of numbers on one line, or everything on one line. */
 final class JsonText {
-    private enum Layout {
-        INDENTED,
-        ONE_LINE
-    }
-
     private final StringBuilder text = new StringBuilder(1 << 12);
-    private final Layout layout;
+    private final boolean isIndented;
 
-    private JsonText(Layout layout) {
-        this.layout = layout;
+    private JsonText(boolean isIndented) {
+        this.isIndented = isIndented;
     }
 
     /** Returns indented text with a line feed at the end. */
     static String of(JsonValue value) {
-        JsonText json = new JsonText(Layout.INDENTED);
+        JsonText json = new JsonText(true);
         json.value(value, 0);
         return json.text.append('\n').toString();
     }
 
     /** Returns one line, without a line feed. */
     static String line(JsonValue value) {
-        JsonText json = new JsonText(Layout.ONE_LINE);
+        JsonText json = new JsonText(false);
         json.value(value, 0);
         return json.text.toString();
     }
@@ -74,11 +69,11 @@ final class JsonText {
     }
 
     private String between() {
-        return layout == Layout.ONE_LINE ? ", " : ",";
+        return isIndented ? "," : ", ";
     }
 
     private void newLine(int indent) {
-        if (layout == Layout.ONE_LINE) {
+        if (!isIndented) {
             return;
         }
         text.append('\n');

@@ -22,7 +22,7 @@ public final class JsonTree {
     private static final int MAX_DEPTH = 32;
     private static final int MAX_VALUES = 1_000_000;
     private static final int MAX_SHARED_NAMES = 1_000;
-    private static final int MOST_SHOWN = 60;
+    private static final int MOST_PRINTED = 60;
 
     /** Bound below which every whole number is a double. */
     private static final double EXACT_INTEGERS = 1L << 53;
@@ -33,20 +33,12 @@ public final class JsonTree {
     private final Map<String, String> names = new HashMap<>();
     private int values;
     private int depth;
+    private boolean isAbandoned;
 
     private JsonTree(JsonReader reader, Problems problems, boolean isBlank) {
         this.isBlank = isBlank;
         this.reader = reader;
         this.problems = problems;
-    }
-
-    /** Stops parsing a document whose rest cannot be read. */
-    private static final class Abandoned extends RuntimeException {
-        private static final long serialVersionUID = 1;
-
-        Abandoned() {
-            super(null, null, false, false);
-        }
     }
 
     /** Returns the document, or {@code null} after it has reported the reason. */
@@ -77,9 +69,9 @@ public final class JsonTree {
         } catch (EOFException end) {
             problems.error(isBlank ? "the file is empty" : "the file ends too early" + where());
         } catch (IOException | IllegalStateException syntax) {
-            problems.error(plain(syntax.getMessage()) + where());
-        } catch (Abandoned reported) {
-            return null;
+            if (!isAbandoned) {
+                problems.error(plain(syntax.getMessage()) + where());
+            }
         }
         return null;
     }
@@ -179,9 +171,11 @@ public final class JsonTree {
         }
     }
 
-    private Abandoned abandon(String message) {
+    /** Reports why the rest of the document cannot be read, and returns what stops parsing. */
+    private IllegalStateException abandon(String message) {
         problems.error(message);
-        return new Abandoned();
+        isAbandoned = true;
+        return new IllegalStateException(message);
     }
 
     /**
@@ -208,8 +202,8 @@ public final class JsonTree {
 
     /** Returns a key in the form used in paths. */
     static String printable(String name) {
-        String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
-        return MessageText.printable(shown);
+        String start = name.length() <= MOST_PRINTED ? name : name.substring(0, MOST_PRINTED) + "…";
+        return MessageText.printable(start);
     }
 
     public static String shortened(String text) {

@@ -11,17 +11,17 @@ sealed interface JsonValue {
     /**
      * A number.
      *
-     * @param said its text in the file if the value can be another number, {@code null} otherwise: not every whole number
+     * @param authored its text in the file if the value can be another number, {@code null} otherwise: not every whole number
      *     above 2^53 has a double
      */
-    record Number(double value, String said) implements JsonValue {
+    record Number(double value, String authored) implements JsonValue {
         Number(double value) {
             this(value, null);
         }
 
         /** Returns the number that the author wrote, for messages. */
         String text() {
-            return said != null ? said : Double.isFinite(value) ? NumberText.of(value) : Double.toString(value);
+            return authored != null ? authored : Double.isFinite(value) ? NumberText.of(value) : Double.toString(value);
         }
     }
 

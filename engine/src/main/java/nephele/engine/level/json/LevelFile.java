@@ -1,6 +1,7 @@
 package nephele.engine.level.json;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -39,7 +40,7 @@ public final class LevelFile {
         if (PackageContent.isPackage(typed)) {
             return unpacked(typed, path);
         }
-        if (Files.exists(path) || Files.exists(LevelSaver.beside(path, ".bak"))) {
+        if (Files.exists(path) || Files.exists(beside(path, ".bak"))) {
             return load(path);
         }
         String name = typed.replace('\\', '/').replaceFirst("^(\\./)?levels/", "");
@@ -54,30 +55,12 @@ public final class LevelFile {
     private static Opened unpacked(String typed, Path zip) {
         try {
             PackageContent content = PackageContent.read(zip);
-            var assets = new Unpacked(content.assets(), LevelAssets.beside(zip));
+            LevelAssets assets = LevelAssets.beside(zip).behind(content.assets());
             return new Opened(typed, content.level(), assets, Optional.empty());
         } catch (PackageContent.Refused refused) {
             String place = refused.entry().orElse("$");
             String remedy = "; ask its author for a new export, or name a .zip that the editor exported";
             throw new LevelFormatException(typed, List.of(Problem.error(place, refused.getMessage() + remedy)));
-        }
-    }
-
-    /** The assets in a package, and behind them those that a level beside it would have: the game's and the derived ones. */
-    private record Unpacked(AssetSource inside, AssetSource beside) implements AssetSource {
-        @Override
-        public byte[] bytes(String assetId) {
-            return (inside.exists(assetId) ? inside : beside).bytes(assetId);
-        }
-
-        @Override
-        public boolean exists(String assetId) {
-            return inside.exists(assetId) || beside.exists(assetId);
-        }
-
-        @Override
-        public Optional<Path> cacheFolder() {
-            return beside.cacheFolder();
         }
     }
 
@@ -93,7 +76,7 @@ public final class LevelFile {
         try {
             return new Opened(file, read(path, files), assets, Optional.empty());
         } catch (LevelFormatException problem) {
-            Path backup = LevelSaver.beside(path, ".bak");
+            Path backup = beside(path, ".bak");
             if (!problem.isDamage() || !files.exists(backup)) {
                 throw problem;
             }
@@ -134,9 +117,82 @@ public final class LevelFile {
         save(path, level, FileOperations.REAL);
     }
 
-    /** Saves through other file operations, as tests do that let one of them fail. */
+    /**
+     * Saves through other file operations, as tests do that let one of them fail: it writes the new content to a file
+     * beside the old one, forces it to disk and renames it over the old one atomically (Pillai et al., OSDI 2014, on why
+     * each step is needed).
+     */
     public static void save(Path path, Level level, FileOperations files) throws LevelSaveException {
-        new LevelSaver(files).save(path, level);
+        byte[] bytes = checkedText(path, level);
+        Path target = target(path);
+        Path fresh = beside(target, ".tmp");
+        Path backup = beside(target, ".bak");
+        Path freshBackup = beside(target, ".bak.tmp");
+        try {
+            files.write(fresh, bytes, target);
+            files.force(fresh);
+            keepOld(files, target, freshBackup, backup);
+            files.moveOver(fresh, target);
+        } catch (IOException problem) {
+            discard(files, fresh);
+            discard(files, freshBackup);
+            throw new LevelSaveException(path.toString(), AtomicFile.reason(problem), problem);
+        }
+        forceFolder(files, target);
+    }
+
+    private static Path beside(Path file, String suffix) {
+        return file.resolveSibling(file.getFileName() + suffix);
+    }
+
+    /** Returns the text; throws if reading it back would not give an equal level. */
+    private static byte[] checkedText(Path path, Level level) {
+        String file = path.toString();
+        byte[] bytes = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
+        if (!LevelJson.read(file, bytes).equals(level)) {
+            throw new LevelSaveException(file, "its text does not read back as the same level", null);
+        }
+        return bytes;
+    }
+
+    private static Path target(Path path) {
+        try {
+            return AtomicFile.target(path);
+        } catch (IOException problem) {
+            throw new LevelSaveException(path.toString(), AtomicFile.reason(problem), problem);
+        }
+    }
+
+    /** Keeps the old version as backup, unless it is damaged and a good backup exists. */
+    private static void keepOld(FileOperations files, Path target, Path freshBackup, Path backup) throws IOException {
+        if (!files.exists(target)) {
+            return;
+        }
+        byte[] old = files.read(target, JsonTree.MAX_FILE_BYTES);
+        if (JsonTree.read(old, new Problems()) == null) {
+            return;
+        }
+        files.write(freshBackup, old, target);
+        files.force(freshBackup);
+        files.moveOver(freshBackup, backup);
+    }
+
+    private static void discard(FileOperations files, Path file) {
+        try {
+            files.deleteIfExists(file);
+        } catch (IOException leftover) {
+            // The next save overwrites it.
+            return;
+        }
+    }
+
+    /** Forces the folder if possible: the new file is complete already, and Windows cannot force folders. */
+    private static void forceFolder(FileOperations files, Path target) {
+        try {
+            files.force(target.getParent());
+        } catch (IOException refused) {
+            return;
+        }
     }
 
     private static Path path(String typed) {

@@ -9,10 +9,9 @@ import nephele.engine.level.Level;
 
 /** Converts level files of version 1 to records and back. */
 public final class LevelJson {
-    private static final String FORMAT = "nephele-level";
     private static final int VERSION = 1;
-    private static final FileHeader HEADER = new FileHeader("level", FORMAT, VERSION);
-    private static final RecordFormat LEVEL = FormatBuilder.record(Level.class);
+    private static final RecordFile<Level> FILE = RecordFile.of("level", VERSION, Level.class);
+    private static final RecordFormat LEVEL = FILE.format();
 
     private LevelJson() {}
 
@@ -31,11 +30,11 @@ public final class LevelJson {
         }
         Level level = null;
         if (root instanceof JsonValue.Members members) {
-            if (HEADER.isThat(members, problems)) {
+            if (FILE.hasHeader(members, problems)) {
                 requireNoEntities(members, problems);
                 level = (Level) LEVEL.read(members, problems);
                 if (level == null) {
-                    new WrittenMaterials(members, problems).tellUnknown();
+                    new WrittenMaterials(members, problems).reportUnknown();
                 }
             }
         } else {
@@ -47,14 +46,12 @@ public final class LevelJson {
 
     /** Returns the canonical text: fixed key order, defaults omitted, numbers as in {@link NumberText}. */
     public static String write(Level level) {
-        JsonValue.Members members = HEADER.written();
-        LEVEL.writeMembers(level, members);
-        return JsonText.of(members);
+        return FILE.write(level);
     }
 
     /** Returns a record of a level as canonical text on one line, such as a cloud to paste into a file. */
     public static String line(Record part) {
-        return JsonText.line(FormatBuilder.record(part.getClass()).write(part));
+        return JsonText.line(RecordFormat.of(part.getClass()).write(part));
     }
 
     /**
@@ -74,9 +71,7 @@ public final class LevelJson {
     public static String schema() {
         SchemaDefinitions definitions = new SchemaDefinitions();
         JsonValue.Members level = LEVEL.schemaBeside(definitions);
-        var properties = new JsonValue.Members()
-                .with("format", new JsonValue.Members().with("const", new JsonValue.Text(FORMAT)))
-                .with("version", new JsonValue.Members().with("const", new JsonValue.Number(VERSION)));
+        JsonValue.Members properties = FILE.headerSchema();
         JsonValue.Members own = (JsonValue.Members) level.ask("properties");
         for (int i = 0; i < own.size(); i++) {
             properties.with(own.name(i), own.value(i));

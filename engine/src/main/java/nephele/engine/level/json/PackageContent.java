@@ -64,7 +64,7 @@ public record PackageContent(String levelName, Level level, AssetSource assets) 
     public static PackageContent read(Path zip) {
         Map<String, byte[]> entries;
         try (var file = new ZipFile(zip.toFile())) {
-            entries = new Reading().entries(file);
+            entries = entries(file);
         } catch (ZipException | IllegalArgumentException noZip) {
             throw new Refused(null, "it is no whole zip file", noZip);
         } catch (IOException unreadable) {
@@ -85,61 +85,57 @@ public record PackageContent(String levelName, Level level, AssetSource assets) 
         }
     }
 
-    /** Unpacks one file within its limits. */
-    private static final class Reading {
-        private final Map<String, byte[]> entries = new LinkedHashMap<>();
-        private final Set<String> lowerCase = new HashSet<>();
-        private long total;
-
-        Map<String, byte[]> entries(ZipFile file) throws IOException {
-            if (file.size() > MOST_ENTRIES) {
-                throw new IOException("it has more than " + MOST_ENTRIES + " entries");
-            }
-            for (Enumeration<? extends ZipEntry> all = file.entries(); all.hasMoreElements(); ) {
-                ZipEntry entry = all.nextElement();
-                check(entry.getName());
-                if (!entry.isDirectory()) {
-                    entries.put(entry.getName(), content(file, entry));
-                }
-            }
-            return entries;
+    private static Map<String, byte[]> entries(ZipFile file) throws IOException {
+        if (file.size() > MOST_ENTRIES) {
+            throw new IOException("it has more than " + MOST_ENTRIES + " entries");
         }
-
-        private void check(String name) {
-            String id = name.endsWith("/") ? name.substring(0, name.length() - 1) : name;
-            String objection = AssetId.rejectionReason(id);
-            if (objection == null && !lowerCase.add(name.toLowerCase(Locale.ROOT))) {
-                objection = "another entry has the same name on systems that ignore case";
-            }
-            if (objection != null) {
-                throw refused(name, objection);
-            }
-        }
-
-        private byte[] content(ZipFile file, ZipEntry entry) {
-            long left = Math.min(MOST_ENTRY_BYTES, MOST_BYTES - total);
-            try (InputStream stream = file.getInputStream(entry)) {
-                byte[] content = stream.readNBytes((int) left + 1);
-                if (content.length > left) {
-                    throw refused(
-                            entry.getName(),
-                            "it has more than " + (MOST_ENTRY_BYTES >> 20) + " MiB, or all entries together more than "
-                                    + (MOST_BYTES >> 20) + " MiB");
-                }
+        Map<String, byte[]> entries = new LinkedHashMap<>();
+        Set<String> lowerCase = new HashSet<>();
+        long total = 0;
+        for (Enumeration<? extends ZipEntry> all = file.entries(); all.hasMoreElements(); ) {
+            ZipEntry entry = all.nextElement();
+            check(entry.getName(), lowerCase);
+            if (!entry.isDirectory()) {
+                byte[] content = content(file, entry, (int) Math.min(MOST_ENTRY_BYTES, MOST_BYTES - total));
+                entries.put(entry.getName(), content);
                 total += content.length;
-                return content;
-            } catch (IOException damaged) {
-                throw refused(entry.getName(), "it is damaged");
-            } catch (OutOfMemoryError tooLarge) {
-                throw refused(entry.getName(), "it does not fit into memory");
             }
         }
+        return entries;
+    }
 
-        private static Refused refused(String name, String reason) {
-            String printable = MessageText.printable(name);
-            String shown = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
-            return new Refused(shown, reason, null);
+    private static void check(String name, Set<String> lowerCase) {
+        String id = name.endsWith("/") ? name.substring(0, name.length() - 1) : name;
+        String objection = AssetId.rejectionReason(id);
+        if (objection == null && !lowerCase.add(name.toLowerCase(Locale.ROOT))) {
+            objection = "another entry has the same name on systems that ignore case";
         }
+        if (objection != null) {
+            throw refused(name, objection);
+        }
+    }
+
+    private static byte[] content(ZipFile file, ZipEntry entry, int most) {
+        try (InputStream stream = file.getInputStream(entry)) {
+            byte[] content = stream.readNBytes(most + 1);
+            if (content.length > most) {
+                throw refused(
+                        entry.getName(),
+                        "it has more than " + (MOST_ENTRY_BYTES >> 20) + " MiB, or all entries together more than "
+                                + (MOST_BYTES >> 20) + " MiB");
+            }
+            return content;
+        } catch (IOException damaged) {
+            throw refused(entry.getName(), "it is damaged");
+        } catch (OutOfMemoryError tooLarge) {
+            throw refused(entry.getName(), "it does not fit into memory");
+        }
+    }
+
+    private static Refused refused(String name, String reason) {
+        String printable = MessageText.printable(name);
+        String start = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
+        return new Refused(start, reason, null);
     }
 
     /** The entries as assets. */

@@ -26,7 +26,7 @@ public final class WrittenMaterials {
         return "there is no material '" + id + "': add it to materials";
     }
 
-    void tellUnknown() {
+    void reportUnknown() {
         JsonValue materials = level.ask("materials");
         if (materials != null && !(materials instanceof JsonValue.Array)) {
             return;
@@ -38,7 +38,7 @@ public final class WrittenMaterials {
         }
         for (String section : SECTIONS) {
             int mark = problems.enter(section);
-            tellOfEntries(level.ask(section));
+            reportEntries(level.ask(section));
             problems.leave(mark);
         }
     }
@@ -47,19 +47,19 @@ public final class WrittenMaterials {
         return json instanceof JsonValue.Array array ? array.values() : List.of();
     }
 
-    private void tellOfEntries(JsonValue json) {
+    private void reportEntries(JsonValue json) {
         List<JsonValue> entries = entries(json);
         for (int i = 0; i < entries.size(); i++) {
             int mark = problems.enter(i);
             if (entries.get(i) instanceof JsonValue.Members record) {
-                tell(record);
-                tellOfFaces(record);
+                report(record);
+                reportFaces(record);
             }
             problems.leave(mark);
         }
     }
 
-    private void tell(JsonValue.Members record) {
+    private void report(JsonValue.Members record) {
         if (record.ask("material") instanceof JsonValue.Text material && !known.contains(material.value())) {
             int mark = problems.enter("material");
             problems.error(noMaterial(JsonTree.shortened(material.value())));
@@ -67,13 +67,13 @@ public final class WrittenMaterials {
         }
     }
 
-    private void tellOfFaces(JsonValue.Members solid) {
+    private void reportFaces(JsonValue.Members solid) {
         if (solid.ask("faces") instanceof JsonValue.Members faces) {
             int mark = problems.enter("faces");
             for (int i = 0; i < faces.size(); i++) {
                 int face = problems.enter(faces.name(i));
                 if (faces.value(i) instanceof JsonValue.Members record) {
-                    tell(record);
+                    report(record);
                 }
                 problems.leave(face);
             }
@@ -84,7 +84,7 @@ public final class WrittenMaterials {
         for (int i = 0; i < planes.size(); i++) {
             int plane = problems.enter(i);
             if (planes.get(i) instanceof JsonValue.Members record) {
-                tell(record);
+                report(record);
             }
             problems.leave(plane);
         }

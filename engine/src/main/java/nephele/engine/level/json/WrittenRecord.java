@@ -17,7 +17,7 @@ public final class WrittenRecord {
     private final List<WrittenField> fields = new ArrayList<>();
 
     private WrittenRecord(Class<?> type) {
-        format = FormatBuilder.record(type);
+        format = RecordFormat.of(type);
         RecordComponent[] components = type.getRecordComponents();
         for (int i = 0; i < components.length; i++) {
             RecordFormat.FieldFormat field = format.field(i);

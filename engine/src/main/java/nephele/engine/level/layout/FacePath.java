@@ -18,11 +18,11 @@ public final class FacePath {
      * @param face name of the face
      */
     public static String of(Level level, int solid, String face) {
-        Solid said = level.solids().get(solid);
-        if (said instanceof Solid.Planes) {
+        Solid authored = level.solids().get(solid);
+        if (authored instanceof Solid.Planes) {
             return of(solid) + "." + face;
         }
-        boolean hasFaces = said instanceof Solid.Box || said instanceof Solid.Wedge;
+        boolean hasFaces = authored instanceof Solid.Box || authored instanceof Solid.Wedge;
         return hasFaces ? of(solid) + ".faces." + face : of(solid);
     }
 

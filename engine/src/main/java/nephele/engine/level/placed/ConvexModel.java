@@ -33,7 +33,7 @@ final class ConvexModel {
     /**
      * Returns the solid; {@code null} for a mesh that is hollow, open, flat or has more faces than a solid may have.
      */
-    static Brush solid(ModelPlacement said, WorldTriangles mesh) {
+    static Brush solid(ModelPlacement authored, WorldTriangles mesh) {
         var box = mesh.bounds();
         double extent = Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
         ConvexModel model = new ConvexModel(mesh, extent);
@@ -51,15 +51,15 @@ final class ConvexModel {
                     name,
                     face.plane(),
                     face.polygon(),
-                    said.material(),
-                    said.portalable(),
+                    authored.material(),
+                    authored.portalable(),
                     TextureMapping.WORLD,
                     null));
         }
         Set<Vec3> used = new HashSet<>();
         faces.forEach(face -> used.addAll(face.polygon()));
         List<Vec3> vertices = model.corners.stream().filter(used::contains).toList();
-        return new Brush(said.id(), new ConvexPolyhedron(faces, vertices, box), List.copyOf(named));
+        return new Brush(authored.id(), new ConvexPolyhedron(faces, vertices, box), List.copyOf(named));
     }
 
     /**
@@ -172,18 +172,15 @@ final class ConvexModel {
         return sum.length() / 2;
     }
 
-    private record Edge(Vec3 from, Vec3 to) {}
-
     /** Returns true if every edge belongs to two faces, in opposite directions. */
     private static boolean isClosed(List<ConvexPolyhedron.Face> faces) {
-        Set<Edge> edges = new HashSet<>();
+        Set<List<Vec3>> edges = new HashSet<>();
         for (ConvexPolyhedron.Face face : faces) {
-            for (int i = 0; i < face.polygon().size(); i++) {
-                edges.add(new Edge(
-                        face.polygon().get(i),
-                        face.polygon().get((i + 1) % face.polygon().size())));
+            List<Vec3> polygon = face.polygon();
+            for (int i = 0; i < polygon.size(); i++) {
+                edges.add(List.of(polygon.get(i), polygon.get((i + 1) % polygon.size())));
             }
         }
-        return edges.stream().allMatch(edge -> edges.contains(new Edge(edge.to, edge.from)));
+        return edges.stream().allMatch(edge -> edges.contains(List.of(edge.get(1), edge.get(0))));
     }
 }

@@ -25,7 +25,8 @@ public final class ModelBounds {
         for (PlacedModel model : models.all()) {
             if (!model.isEmpty()) {
                 Pose at = pose(model.worldFromModel());
-                bounds.all.add(new Placed(BoundedModel.of(model.said().id(), triangles(model.triangles(), at)), at));
+                bounds.all.add(
+                        new Placed(BoundedModel.of(model.authored().id(), triangles(model.triangles(), at)), at));
             }
         }
         return bounds;
@@ -47,7 +48,7 @@ public final class ModelBounds {
         Vec3[][] triangles = new Vec3[world.count()][3];
         for (int i = 0; i < 3 * triangles.length; i++) {
             int from = 3 * world.vertices()[i];
-            triangles[i / 3][i % 3] = at.seen(
+            triangles[i / 3][i % 3] = at.local(
                     new Vec3(world.positions()[from], world.positions()[from + 1], world.positions()[from + 2]));
         }
         return triangles;

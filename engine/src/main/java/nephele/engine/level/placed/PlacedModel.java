@@ -16,16 +16,16 @@ import org.joml.Matrix4dc;
  */
 public record PlacedModel(
         int index,
-        ModelPlacement said,
+        ModelPlacement authored,
         Mesh mesh,
         Matrix4dc worldFromModel,
         WorldTriangles triangles,
         Aabb bounds,
         Brush solid) {
-    static PlacedModel of(int index, ModelPlacement said, Mesh mesh, Matrix4dc worldFromModel) {
-        WorldTriangles triangles = said.isPlanted() ? WorldTriangles.NONE : WorldTriangles.of(mesh, worldFromModel);
-        Brush solid = ConvexModel.solid(said, triangles);
-        return new PlacedModel(index, said, mesh, worldFromModel, triangles, triangles.bounds(), solid);
+    static PlacedModel of(int index, ModelPlacement authored, Mesh mesh, Matrix4dc worldFromModel) {
+        WorldTriangles triangles = authored.isPlanted() ? WorldTriangles.NONE : WorldTriangles.of(mesh, worldFromModel);
+        Brush solid = ConvexModel.solid(authored, triangles);
+        return new PlacedModel(index, authored, mesh, worldFromModel, triangles, triangles.bounds(), solid);
     }
 
     /** Returns this model with another index. */
@@ -34,7 +34,7 @@ public record PlacedModel(
     }
 
     private PlacedModel with(int otherIndex, WorldTriangles others) {
-        return new PlacedModel(otherIndex, said, mesh, worldFromModel, others, bounds, solid);
+        return new PlacedModel(otherIndex, authored, mesh, worldFromModel, others, bounds, solid);
     }
 
     /** Returns true if none of its triangles has an area, so that there is nothing to draw. */

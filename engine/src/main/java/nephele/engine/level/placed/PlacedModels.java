@@ -64,8 +64,10 @@ public record PlacedModels(List<PlacedModel> all) {
 
     /** Returns the models of an edited level; a model with the same placement and file stays the same object. */
     PlacedModels edited(Level level, AssetSource assets) {
-        List<ModelPlacement> said = all.stream().map(PlacedModel::said).toList();
-        return IdentityDiff.list(said, level.models()) == said ? this : edited(level, new MeshAssets(assets)::mesh);
+        List<ModelPlacement> authored = all.stream().map(PlacedModel::authored).toList();
+        return IdentityDiff.list(authored, level.models()) == authored
+                ? this
+                : edited(level, new MeshAssets(assets)::mesh);
     }
 
     private PlacedModels edited(Level level, Function<String, Mesh> meshOf) {
@@ -73,19 +75,19 @@ public record PlacedModels(List<PlacedModel> all) {
         Map<String, Mesh> meshes = new HashMap<>();
         Map<ModelPlacement, PlacedModel> known = new IdentityHashMap<>();
         for (PlacedModel model : all) {
-            meshes.put(model.said().file(), model.mesh());
-            known.put(model.said(), model);
+            meshes.put(model.authored().file(), model.mesh());
+            known.put(model.authored(), model);
         }
         List<PlacedModel> placed = new ArrayList<>();
         long triangles = 0;
         for (int i = 0; i < level.models().size(); i++) {
-            ModelPlacement said = level.models().get(i);
-            Mesh mesh = meshes.computeIfAbsent(said.file(), meshOf);
+            ModelPlacement authored = level.models().get(i);
+            Mesh mesh = meshes.computeIfAbsent(authored.file(), meshOf);
             triangles += mesh.triangleCount();
-            requireFew(said, triangles);
-            PlacedModel model = known.get(said);
+            requireFew(authored, triangles);
+            PlacedModel model = known.get(authored);
             if (model == null || !model.worldFromModel().equals(frames.get(i))) {
-                model = PlacedModel.of(i, said, mesh, frames.get(i));
+                model = PlacedModel.of(i, authored, mesh, frames.get(i));
                 requireNear(model);
             }
             placed.add(model.at(i));
@@ -100,10 +102,10 @@ public record PlacedModels(List<PlacedModel> all) {
             PlacedModel most = Collections.max(
                     placed, Comparator.comparingInt(model -> model.triangles().count()));
             throw new AssetException(
-                    most.said().file(),
+                    most.authored().file(),
                     "the models' triangles lie in each other: the box around one meets " + overlaps
                             + " others on average, of " + MOST_OVERLAPS + " that are quick enough; '"
-                            + most.said().id() + "' has the most triangles",
+                            + most.authored().id() + "' has the most triangles",
                     "split its long triangles, or leave some out");
         }
     }
@@ -131,11 +133,11 @@ public record PlacedModels(List<PlacedModel> all) {
         return overlaps[0] / OVERLAP_SAMPLES;
     }
 
-    private static void requireFew(ModelPlacement said, long triangles) {
+    private static void requireFew(ModelPlacement authored, long triangles) {
         if (triangles > MOST_TRIANGLES) {
             throw new AssetException(
-                    said.file(),
-                    "with '" + said.id() + "' the level's models have " + triangles + " triangles or more, of "
+                    authored.file(),
+                    "with '" + authored.id() + "' the level's models have " + triangles + " triangles or more, of "
                             + MOST_TRIANGLES + " that a level may have",
                     "place fewer models or coarser ones");
         }
@@ -145,8 +147,8 @@ public record PlacedModels(List<PlacedModel> all) {
         // This also rejects overflow, which would otherwise be removed as a triangle without area.
         if (!Arrays.stream(model.triangles().positions()).allMatch(x -> Math.abs(x) <= FARTHEST_METRES)) {
             throw new AssetException(
-                    model.said().file(),
-                    "as '" + model.said().id() + "' it reaches farther than 10 000 km",
+                    model.authored().file(),
+                    "as '" + model.authored().id() + "' it reaches farther than 10 000 km",
                     "scale it down or move it nearer");
         }
     }

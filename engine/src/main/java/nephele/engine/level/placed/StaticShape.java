@@ -51,14 +51,15 @@ public sealed interface StaticShape {
      * @param index in the level's list
      * @param painted its layer map, empty if none is seen
      */
-    record HeightGrid(int index, Terrain said, HeightField field, Optional<LayerMap> painted) implements StaticShape {
+    record HeightGrid(int index, Terrain authored, HeightField field, Optional<LayerMap> painted)
+            implements StaticShape {
         /** Creates a terrain without painted layers. */
-        public HeightGrid(int index, Terrain said, HeightField field) {
-            this(index, said, field, Optional.empty());
+        public HeightGrid(int index, Terrain authored, HeightField field) {
+            this(index, authored, field, Optional.empty());
         }
 
         public String id() {
-            return said.id();
+            return authored.id();
         }
 
         @Override

@@ -10,7 +10,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.HeightMap;
-import nephele.engine.asset.HeightMapFile;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
@@ -126,7 +125,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
     }
 
     /**
-     * Returns the grids grounds an editedGrounds level; the list itself if nothing has changed, and the heights grounds terrains that only
+     * Returns the grids of an edited level; the list itself if nothing has changed, and the heights of terrains that only
      * look different or lie elsewhere.
      *
      * @throws nephele.engine.asset.AssetException that names a height or layer map that is missing or cannot be used
@@ -144,39 +143,42 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
 
     private static StaticShape.HeightGrid grid(
             int index,
-            Terrain said,
+            Terrain authored,
             List<StaticShape.HeightGrid> before,
             Map<String, HeightMap> maps,
             AssetSource assets) {
         for (StaticShape.HeightGrid known : before) {
-            if (TerrainField.isSameShape(known.said(), said)) {
-                boolean isAtSamePlace = known.said().centre().equals(said.centre());
-                HeightField field = isAtSamePlace ? known.field() : TerrainField.moved(known.field(), said);
-                boolean isSame = isAtSamePlace && known.index() == index && known.said() == said;
-                return isSame ? known : new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
+            if (TerrainField.isSameShape(known.authored(), authored)) {
+                boolean isAtSamePlace = known.authored().centre().equals(authored.centre());
+                HeightField field = isAtSamePlace ? known.field() : TerrainField.moved(known.field(), authored);
+                boolean isSame = isAtSamePlace && known.index() == index && known.authored() == authored;
+                return isSame
+                        ? known
+                        : new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
             }
         }
         HeightMap map = maps.computeIfAbsent(
-                said.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMapFile::read));
-        return editedGrounds(index, said, map, before, assets);
+                authored.heightMap(), file -> assets.decoded(file, HeightMap.class, HeightMap::read));
+        return editedGrid(index, authored, map, before, assets);
     }
 
-    /** Returns a grid grounds other heights, from those grounds the same terrain before if there are some. */
-    private static StaticShape.HeightGrid editedGrounds(
-            int index, Terrain said, HeightMap map, List<StaticShape.HeightGrid> before, AssetSource assets) {
+    /** Returns a grid of other heights, from those of the same terrain before if there are some. */
+    private static StaticShape.HeightGrid editedGrid(
+            int index, Terrain authored, HeightMap map, List<StaticShape.HeightGrid> before, AssetSource assets) {
         for (StaticShape.HeightGrid known : before) {
-            if (known.id().equals(said.id())) {
-                HeightField field = TerrainField.edited(known.field(), said, map);
-                return new StaticShape.HeightGrid(index, said, field, painted(said, known, assets));
+            if (known.id().equals(authored.id())) {
+                HeightField field = TerrainField.edited(known.field(), authored, map);
+                return new StaticShape.HeightGrid(index, authored, field, painted(authored, known, assets));
             }
         }
-        return new StaticShape.HeightGrid(index, said, TerrainField.of(said, map), LayerPaint.read(said, assets));
+        return new StaticShape.HeightGrid(
+                index, authored, TerrainField.of(authored, map), LayerPaint.read(authored, assets));
     }
 
-    /** Returns the layer map grounds a terrain, if possible the object that it had before. */
-    private static Optional<LayerMap> painted(Terrain said, StaticShape.HeightGrid known, AssetSource assets) {
-        boolean isSame = Objects.equals(said.layerMap(), known.said().layerMap())
-                && said.layers().size() == known.said().layers().size();
-        return isSame ? known.painted() : LayerPaint.read(said, assets);
+    /** Returns the layer map of a terrain, if possible the object that it had before. */
+    private static Optional<LayerMap> painted(Terrain authored, StaticShape.HeightGrid known, AssetSource assets) {
+        boolean isSame = Objects.equals(authored.layerMap(), known.authored().layerMap())
+                && authored.layers().size() == known.authored().layers().size();
+        return isSame ? known.painted() : LayerPaint.read(authored, assets);
     }
 }

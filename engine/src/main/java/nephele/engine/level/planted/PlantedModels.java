@@ -11,8 +11,7 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.level.billboard.BillboardField;
-import nephele.engine.level.billboard.FieldGrounds;
+import nephele.engine.level.billboard.FieldPlanting;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -100,25 +99,25 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         List<Plant> plants = new ArrayList<>();
         Map<Kind, Integer> kinds = new HashMap<>();
         List<Kind> inOrder = new ArrayList<>();
-        FieldGrounds grounds = new FieldGrounds(statics);
+        FieldPlanting planting = new FieldPlanting(statics);
         for (PlacedModel model : statics.models().all()) {
-            ModelPlacement said = model.said();
-            if (!said.impostor()) {
+            ModelPlacement authored = model.authored();
+            if (!authored.impostor()) {
                 continue;
             }
-            Plant alone = said.isPlanted() ? null : alone(model);
+            Plant alone = authored.isPlanted() ? null : alone(model);
             int kind = kinds.computeIfAbsent(kind(model, alone), added -> {
                 inOrder.add(added);
                 return inOrder.size() - 1;
             });
-            requireFew(inOrder.size(), said);
+            requireFew(inOrder.size(), authored);
             if (alone != null) {
                 plants.add(new Plant(kind, model.index(), alone.foot(), alone.turn(), alone.scale()));
             } else {
-                SeededNoise noise = new SeededNoise(said.id().hashCode());
-                List<Vec3> feet = BillboardField.plant(said.field(), grounds.of(said.field()), assets);
+                SeededNoise noise = new SeededNoise(authored.id().hashCode());
+                List<Vec3> feet = planting.plant(authored.field(), assets);
                 for (int i = 0; i < feet.size(); i++) {
-                    double scale = 1 - said.heightVariation() * noise.unit(i, SIZE, 0);
+                    double scale = 1 - authored.heightVariation() * noise.unit(i, SIZE, 0);
                     double turn = TURN_RADIANS * noise.unit(i, TURN, 0);
                     plants.add(new Plant(kind, model.index(), feet.get(i), turn, scale));
                 }
@@ -130,7 +129,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     /** @param alone {@code null} for the models of a field */
     private static Kind kind(PlacedModel model, Plant alone) {
         Matrix4dc shape = alone == null ? model.worldFromModel() : shape(model, alone);
-        return new Kind(model.mesh(), shape, model.said().material());
+        return new Kind(model.mesh(), shape, model.authored().material());
     }
 
     private static void requireFew(int kinds, ModelPlacement last) {
@@ -150,9 +149,9 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
     public static int kinds(StaticShapes statics) {
         Set<Kind> kinds = new HashSet<>();
         for (PlacedModel model : statics.models().all()) {
-            if (model.said().impostor()) {
-                kinds.add(kind(model, model.said().isPlanted() ? null : alone(model)));
-                requireFew(kinds.size(), model.said());
+            if (model.authored().impostor()) {
+                kinds.add(kind(model, model.authored().isPlanted() ? null : alone(model)));
+                requireFew(kinds.size(), model.authored());
             }
         }
         return kinds.size();
@@ -182,7 +181,7 @@ public record PlantedModels(List<Kind> kinds, List<Plant> plants) {
         List<Vec3> corners = new ArrayList<>();
         double reach = 0;
         for (PlacedModel model : statics.models().all()) {
-            if (model.said().isPlanted()) {
+            if (model.authored().isPlanted()) {
                 reach = Math.max(reach, farthest(model));
             }
         }

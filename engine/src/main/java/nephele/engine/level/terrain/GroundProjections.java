@@ -33,7 +33,7 @@ public final class GroundProjections {
     }
 
     /** Returns the share of a projection; the sum of all three is 1. */
-    public double share(int axis) {
+    public double weight(int axis) {
         double sum = excess(normal.x()) + excess(normal.y()) + excess(normal.z());
         return excess(axis == 0 ? normal.x() : axis == 1 ? normal.y() : normal.z()) / sum;
     }

@@ -4,7 +4,6 @@ import java.util.Optional;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.level.Terrain;
 
 /**
@@ -21,12 +20,12 @@ public final class LayerPaint {
     private final double rowsPerMetre;
 
     /** Makes the paint of a map on a terrain. */
-    public LayerPaint(Terrain said, LayerMap map) {
+    public LayerPaint(Terrain authored, LayerMap map) {
         this.map = map;
-        leastX = said.centre().x() - said.sizeMetres().x() / 2;
-        leastZ = said.centre().z() - said.sizeMetres().z() / 2;
-        columnsPerMetre = (map.columns() - 1) / said.sizeMetres().x();
-        rowsPerMetre = (map.rows() - 1) / said.sizeMetres().z();
+        leastX = authored.centre().x() - authored.sizeMetres().x() / 2;
+        leastZ = authored.centre().z() - authored.sizeMetres().z() / 2;
+        columnsPerMetre = (map.columns() - 1) / authored.sizeMetres().x();
+        rowsPerMetre = (map.rows() - 1) / authored.sizeMetres().z();
     }
 
     /**
@@ -42,18 +41,18 @@ public final class LayerPaint {
         int top = Math.min((int) row, map.rows() - 2);
         double u = column - left;
         double v = row - top;
-        double[] shares = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
+        double[] fractions = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
         double kept = 0;
-        for (int i = 0; i < shares.length; i++) {
-            kept += shares[i] * (1 - weight(left + i % 2, top + i / 2));
+        for (int i = 0; i < fractions.length; i++) {
+            kept += fractions[i] * (1 - weight(left + i % 2, top + i / 2));
         }
         for (int i = 0; i < weights.length; i++) {
             weights[i] *= kept;
         }
-        for (int i = 0; i < shares.length; i++) {
+        for (int i = 0; i < fractions.length; i++) {
             double weight = weight(left + i % 2, top + i / 2);
             if (weight > 0) {
-                weights[map.layer(left + i % 2, top + i / 2)] += shares[i] * weight;
+                weights[map.layer(left + i % 2, top + i / 2)] += fractions[i] * weight;
             }
         }
     }
@@ -71,13 +70,13 @@ public final class LayerPaint {
      *
      * @throws AssetException if the file is missing or unusable, or names a layer that the terrain does not have
      */
-    public static Optional<LayerMap> read(Terrain said, AssetSource assets) {
-        if (said.layerMap() == null) {
+    public static Optional<LayerMap> read(Terrain authored, AssetSource assets) {
+        if (authored.layerMap() == null) {
             return Optional.empty();
         }
-        LayerMap map = assets.decoded(said.layerMap(), LayerMap.class, LayerMapFile::read);
-        requireLayers(said, map);
-        return said.layers().size() < 2 ? Optional.empty() : Optional.of(map);
+        LayerMap map = assets.decoded(authored.layerMap(), LayerMap.class, LayerMap::read);
+        requireLayers(authored, map);
+        return authored.layers().size() < 2 ? Optional.empty() : Optional.of(map);
     }
 
     /**
@@ -85,15 +84,15 @@ public final class LayerPaint {
      *
      * @throws AssetException that names the first texel without one
      */
-    public static void requireLayers(Terrain said, LayerMap map) {
-        int layers = said.layers().size();
+    public static void requireLayers(Terrain authored, LayerMap map) {
+        int layers = authored.layers().size();
         for (int row = 0; row < map.rows(); row++) {
             for (int column = 0; column < map.columns(); column++) {
                 if (map.layer(column, row) >= layers && map.weight(column, row) > 0) {
                     throw new AssetException(
-                            said.layerMap(),
+                            authored.layerMap(),
                             "paints layer " + map.layer(column, row) + " at pixel (" + column + ", " + row + "), and '"
-                                    + said.id() + "' has "
+                                    + authored.id() + "' has "
                                     + (layers == 0 ? "no layers" : "layers 0 to " + (layers - 1)),
                             "give the terrain that layer, or name another layerMap or none");
                 }

@@ -16,51 +16,53 @@ public final class TerrainField {
      *
      * @throws AssetException if the map has more cells than fit into the terrain's size, or does not fit into memory
      */
-    public static HeightField of(Terrain said, HeightMap map) {
+    public static HeightField of(Terrain authored, HeightMap map) {
         return made(
-                said,
+                authored,
                 () -> HeightField.of(
-                        origin(said),
-                        cellX(said, map),
-                        cellZ(said, map),
+                        origin(authored),
+                        cellX(authored, map),
+                        cellZ(authored, map),
                         map.columns(),
                         map.rows(),
-                        heights(said, map)));
+                        heights(authored, map)));
     }
 
     /** Returns the same from a field that may differ in few heights. */
-    public static HeightField edited(HeightField before, Terrain said, HeightMap map) {
+    public static HeightField edited(HeightField before, Terrain authored, HeightMap map) {
         boolean hasSameCells = before.cellColumns() == map.columns() - 1
                 && before.cellRows() == map.rows() - 1
-                && before.cellX() == cellX(said, map)
-                && before.cellZ() == cellZ(said, map);
-        return hasSameCells ? made(said, () -> before.at(origin(said)).edited(heights(said, map))) : of(said, map);
+                && before.cellX() == cellX(authored, map)
+                && before.cellZ() == cellZ(authored, map);
+        return hasSameCells
+                ? made(authored, () -> before.at(origin(authored)).edited(heights(authored, map)))
+                : of(authored, map);
     }
 
-    private static double cellX(Terrain said, HeightMap map) {
-        return said.sizeMetres().x() / (map.columns() - 1);
+    private static double cellX(Terrain authored, HeightMap map) {
+        return authored.sizeMetres().x() / (map.columns() - 1);
     }
 
-    private static double cellZ(Terrain said, HeightMap map) {
-        return said.sizeMetres().z() / (map.rows() - 1);
+    private static double cellZ(Terrain authored, HeightMap map) {
+        return authored.sizeMetres().z() / (map.rows() - 1);
     }
 
-    private static HeightField.Heights heights(Terrain said, HeightMap map) {
-        double low = said.heightRangeMetres().low();
-        double perValue = (said.heightRangeMetres().high() - low) / HeightMap.FULL_SCALE;
+    private static HeightField.Heights heights(Terrain authored, HeightMap map) {
+        double low = authored.heightRangeMetres().low();
+        double perValue = (authored.heightRangeMetres().high() - low) / HeightMap.FULL_SCALE;
         return (column, row) -> low + perValue * map.value(column, row);
     }
 
-    private static HeightField made(Terrain said, Supplier<HeightField> make) {
+    private static HeightField made(Terrain authored, Supplier<HeightField> make) {
         try {
             return make.get();
         } catch (IllegalArgumentException unusable) {
             throw new AssetException(
-                    said.heightMap(),
-                    "cannot be the ground of '" + said.id() + "': " + unusable.getMessage(),
+                    authored.heightMap(),
+                    "cannot be the ground of '" + authored.id() + "': " + unusable.getMessage(),
                     "change sizeMetres or centre, or scale the map");
         } catch (OutOfMemoryError tooLarge) {
-            throw new AssetException(said.heightMap(), "does not fit into memory", "make the height map smaller");
+            throw new AssetException(authored.heightMap(), "does not fit into memory", "make the height map smaller");
         }
     }
 
@@ -69,28 +71,32 @@ public final class TerrainField {
      *
      * @throws AssetException if it has not
      */
-    public static void requireSize(Terrain said, HeightMap map) {
-        of(said, new HeightMap(2, 2, map.bits(), new short[4]));
+    public static void requireSize(Terrain authored, HeightMap map) {
+        of(authored, new HeightMap(2, 2, map.bits(), new short[4]));
         double cell = Math.min(
-                said.sizeMetres().x() / (map.columns() - 1), said.sizeMetres().z() / (map.rows() - 1));
+                authored.sizeMetres().x() / (map.columns() - 1),
+                authored.sizeMetres().z() / (map.rows() - 1));
         if (cell < HeightField.LEAST_CELL_METRES) {
             throw new AssetException(
-                    said.heightMap(),
-                    "has cells of " + cell + " m in '" + said.id() + "', at least " + HeightField.LEAST_CELL_METRES
+                    authored.heightMap(),
+                    "has cells of " + cell + " m in '" + authored.id() + "', at least " + HeightField.LEAST_CELL_METRES
                             + " m are needed",
                     "enlarge sizeMetres, or scale the map");
         }
     }
 
     /** Returns the position of the first sample for height 0. */
-    static Vec3 origin(Terrain said) {
-        return said.centre()
-                .plus(new Vec3(-said.sizeMetres().x() / 2, 0, -said.sizeMetres().z() / 2));
+    static Vec3 origin(Terrain authored) {
+        return authored.centre()
+                .plus(new Vec3(
+                        -authored.sizeMetres().x() / 2,
+                        0,
+                        -authored.sizeMetres().z() / 2));
     }
 
     /** Returns the field of a terrain that differs in its place alone from the one of {@code field}. */
-    public static HeightField moved(HeightField field, Terrain said) {
-        return field.at(origin(said));
+    public static HeightField moved(HeightField field, Terrain authored) {
+        return field.at(origin(authored));
     }
 
     /** Returns true if two terrains have the same heights at the same distances. */

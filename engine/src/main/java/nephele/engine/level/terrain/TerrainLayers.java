@@ -34,8 +34,8 @@ public final class TerrainLayers {
     }
 
     /** Returns the layers of a terrain. */
-    public static TerrainLayers of(Terrain said) {
-        return new TerrainLayers(said.layers());
+    public static TerrainLayers of(Terrain authored) {
+        return new TerrainLayers(authored.layers());
     }
 
     private void write(Terrain.Layer layer, int at) {

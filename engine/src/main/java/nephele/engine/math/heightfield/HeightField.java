@@ -235,7 +235,45 @@ public final class HeightField {
      * each further level twice as wide.
      */
     public void writeBlock(int level, int column, int row, double[] bounds) {
-        HeightFieldBoxQuery.writeBlock(this, level, column, row, 0, bounds);
+        writeBlock(level, column, row, 0, bounds);
+    }
+
+    /** Writes a block's bounds, grown by a margin: three minima, three maxima. */
+    void writeBlock(int level, int column, int row, double margin, double[] box) {
+        box[0] = x(firstCell(column, level)) - margin;
+        box[1] = y(pyramid.least(level, column, row)) - margin;
+        box[2] = z(firstCell(row, level)) - margin;
+        box[3] = x(endCell(column, level, cellColumns())) + margin;
+        box[4] = y(pyramid.greatest(level, column, row)) + margin;
+        box[5] = z(endCell(row, level, cellRows())) + margin;
+    }
+
+    /** Returns the first cell of a block along a side. */
+    static int firstCell(int block, int level) {
+        return block * (MinMaxPyramid.BLOCK_CELLS << level);
+    }
+
+    /** Returns one past the last cell of a block along a side with so many cells. */
+    static int endCell(int block, int level, int cells) {
+        return Math.min(firstCell(block + 1, level), cells);
+    }
+
+    /** Writes the bounds of half a cell, a triangle, grown by a margin: three minima, three maxima. */
+    void writeTriangle(int column, int row, int half, double margin, double[] box) {
+        double least = height(column, row);
+        double greatest = height(column + 1, row + 1);
+        double between = half == 0 ? height(column, row + 1) : height(column + 1, row);
+        box[0] = x(column) - margin;
+        box[1] = y(Math.min(between, Math.min(least, greatest))) - margin;
+        box[2] = z(row) - margin;
+        box[3] = x(column + 1) + margin;
+        box[4] = y(Math.max(between, Math.max(least, greatest))) + margin;
+        box[5] = z(row + 1) + margin;
+    }
+
+    /** Returns the number of the triangle that is a half of a cell. */
+    int triangle(int column, int row, int half) {
+        return 2 * (row * cellColumns() + column) + half;
     }
 
     /** Returns the number of blocks of a level along x. */
@@ -340,7 +378,7 @@ public final class HeightField {
         int column = (triangle >> 1) % (columns - 1);
         int row = (triangle >> 1) / (columns - 1);
         double[] box = new double[6];
-        HeightFieldBoxQuery.writeTriangle(this, column, row, triangle & 1, metres + rounding(ray), box);
+        writeTriangle(column, row, triangle & 1, metres + rounding(ray), box);
         double x = ray.originX() + parameter * ray.directionX();
         double y = ray.originY() + parameter * ray.directionY();
         double z = ray.originZ() + parameter * ray.directionZ();
@@ -375,7 +413,40 @@ public final class HeightField {
 
     /** Reports every triangle with a box that passes; the order does not follow the triangle numbers. */
     public void passing(BoxTest test, IntConsumer found) {
-        new HeightFieldBoxQuery(this, test, found).walk();
+        passing(pyramid.top(), 0, 0, test, found, new double[6]);
+    }
+
+    private void passing(int level, int column, int row, BoxTest test, IntConsumer found, double[] box) {
+        writeBlock(level, column, row, 0, box);
+        if (!test.passes(box, 0)) {
+            return;
+        }
+        if (level == 0) {
+            passingCells(column, row, test, found, box);
+            return;
+        }
+        for (int child = 0; child < 4; child++) {
+            int x = 2 * column + (child & 1);
+            int z = 2 * row + (child >> 1);
+            if (pyramid.has(level - 1, x, z)) {
+                passing(level - 1, x, z, test, found, box);
+            }
+        }
+    }
+
+    private void passingCells(int blockColumn, int blockRow, BoxTest test, IntConsumer found, double[] box) {
+        int endRow = endCell(blockRow, 0, cellRows());
+        int endColumn = endCell(blockColumn, 0, cellColumns());
+        for (int row = firstCell(blockRow, 0); row < endRow; row++) {
+            for (int column = firstCell(blockColumn, 0); column < endColumn; column++) {
+                for (int half = 0; half < 2; half++) {
+                    writeTriangle(column, row, half, 0, box);
+                    if (test.passes(box, 0)) {
+                        found.accept(triangle(column, row, half));
+                    }
+                }
+            }
+        }
     }
 
     /**

@@ -85,7 +85,7 @@ final class HeightFieldRayQuery {
         if (!pyramid.has(level, column, row)) {
             return Double.POSITIVE_INFINITY;
         }
-        HeightFieldBoxQuery.writeBlock(field, level, column, row, margin, box);
+        field.writeBlock(level, column, row, margin, box);
         return ray.boxEntry(box, 0, hit.distance());
     }
 
@@ -120,10 +120,10 @@ final class HeightFieldRayQuery {
     }
 
     private void visitCells(int blockColumn, int blockRow) {
-        int endRow = Math.min(farRow + 1, HeightFieldBoxQuery.endCell(blockRow, 0, field.cellRows()));
-        int endColumn = Math.min(farColumn + 1, HeightFieldBoxQuery.endCell(blockColumn, 0, field.cellColumns()));
-        int firstColumn = Math.max(nearColumn, HeightFieldBoxQuery.firstCell(blockColumn, 0));
-        for (int row = Math.max(nearRow, HeightFieldBoxQuery.firstCell(blockRow, 0)); row < endRow; row++) {
+        int endRow = Math.min(farRow + 1, HeightField.endCell(blockRow, 0, field.cellRows()));
+        int endColumn = Math.min(farColumn + 1, HeightField.endCell(blockColumn, 0, field.cellColumns()));
+        int firstColumn = Math.max(nearColumn, HeightField.firstCell(blockColumn, 0));
+        for (int row = Math.max(nearRow, HeightField.firstCell(blockRow, 0)); row < endRow; row++) {
             for (int column = firstColumn; column < endColumn; column++) {
                 for (int half = 0; half < 2; half++) {
                     visitTriangle(column, row, half);
@@ -133,9 +133,9 @@ final class HeightFieldRayQuery {
     }
 
     private void visitTriangle(int column, int row, int half) {
-        HeightFieldBoxQuery.writeTriangle(field, column, row, half, margin, box);
+        field.writeTriangle(column, row, half, margin, box);
         if (isAhead(ray.boxEntry(box, 0, hit.distance()))) {
-            int triangle = HeightFieldBoxQuery.triangle(field, column, row, half);
+            int triangle = field.triangle(column, row, half);
             double distance = test.hit(ray, triangle, hit.distance());
             if (distance < Double.POSITIVE_INFINITY) {
                 hit.offer(triangle, distance);

@@ -31,7 +31,7 @@ public enum Bound {
     ORIENTED_BOX {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            return model.tree().box().nearest(at.seen(centre)) <= radius;
+            return model.tree().box().nearest(at.local(centre)) <= radius;
         }
 
         @Override
@@ -43,25 +43,25 @@ public enum Bound {
     HIERARCHY {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            return model.tree().touches(at.seen(centre), radius, triangle -> true);
+            return model.tree().touches(at.local(centre), radius, triangle -> true);
         }
 
         @Override
         public boolean touch(BoundedModel a, Pose atA, BoundedModel b, Pose atB) {
-            return a.tree().touches(b.tree(), atB.seenFrom(atA), (own, other) -> true);
+            return a.tree().touches(b.tree(), atB.relativeTo(atA), (own, other) -> true);
         }
     },
     /** The triangles themselves, found through the hierarchy. */
     TRIANGLES {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
-            Vec3 here = at.seen(centre);
+            Vec3 here = at.local(centre);
             return model.tree().touches(here, radius, triangle -> distance(triangle, here) <= radius);
         }
 
         @Override
         public boolean touch(BoundedModel a, Pose atA, BoundedModel b, Pose atB) {
-            return a.tree().touches(b.tree(), atB.seenFrom(atA), Bound::haveCommonPoint);
+            return a.tree().touches(b.tree(), atB.relativeTo(atA), Bound::haveCommonPoint);
         }
     };
 
@@ -99,8 +99,8 @@ public enum Bound {
     /** @param from the point, from where the edge starts */
     private static double toEdge(Vec3 edge, Vec3 from) {
         double square = edge.dot(edge);
-        double share = square > 0 ? Math.max(0, Math.min(1, from.dot(edge) / square)) : 0;
-        return from.addScaled(-share, edge).length();
+        double fraction = square > 0 ? Math.max(0, Math.min(1, from.dot(edge) / square)) : 0;
+        return from.addScaled(-fraction, edge).length();
     }
 
     /**

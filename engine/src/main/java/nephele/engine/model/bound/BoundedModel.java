@@ -9,8 +9,8 @@ import nephele.engine.model.Mesh;
 
 /** A model with all its bounds, each in the model's own coordinates. */
 public record BoundedModel(String name, BoundingSphere sphere, BoxTree tree) {
-    /** The level of a tree whose boxes are shown; those of single addTriangles would hide the model. */
-    private static final int SHOWN_LEVEL = 4;
+    /** The level of a tree whose boxes are shown; those of single triangles would hide the model. */
+    private static final int DRAWN_LEVEL = 4;
 
     private static final Pose WORLD = new Pose(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), Vec3.ZERO);
 
@@ -46,7 +46,7 @@ public record BoundedModel(String name, BoundingSphere sphere, BoxTree tree) {
             case ORIENTED_BOX -> addBox(tree.box(), at, ends);
             case HIERARCHY -> {
                 List<Aabb> boxes = new ArrayList<>();
-                tree.addBoxes(SHOWN_LEVEL, boxes);
+                tree.addBoxes(DRAWN_LEVEL, boxes);
                 boxes.forEach(box -> addBox(box, at, ends));
             }
             case TRIANGLES -> addTriangles(tree, at, ends);

@@ -92,28 +92,28 @@ public final class BoxTree {
     /**
      * Returns whether two leaves are in contact: their boxes touch, and so do their triangles by a test.
      *
-     * @param seen the pose of the other model as this one sees it
+     * @param pose the pose of the other model as this one sees it
      */
-    boolean touches(BoxTree other, Pose seen, BiPredicate<Vec3[], Vec3[]> test) {
-        return touches(OrientedBox.of(box, STILL), other, OrientedBox.of(other.box, seen), seen, test);
+    boolean touches(BoxTree other, Pose pose, BiPredicate<Vec3[], Vec3[]> test) {
+        return touches(OrientedBox.of(box, STILL), other, OrientedBox.of(other.box, pose), pose, test);
     }
 
     private boolean touches(
-            OrientedBox own, BoxTree other, OrientedBox others, Pose seen, BiPredicate<Vec3[], Vec3[]> test) {
+            OrientedBox own, BoxTree other, OrientedBox others, Pose pose, BiPredicate<Vec3[], Vec3[]> test) {
         if (!own.touches(others)) {
             return false;
         }
         if (triangle != null && other.triangle != null) {
-            return test.test(triangle, moved(other.triangle, seen));
+            return test.test(triangle, moved(other.triangle, pose));
         }
         boolean isOwnSplit = other.triangle != null
                 || triangle == null && own.half().length() >= others.half().length();
         if (isOwnSplit) {
-            return low.touches(OrientedBox.of(low.box, STILL), other, others, seen, test)
-                    || high.touches(OrientedBox.of(high.box, STILL), other, others, seen, test);
+            return low.touches(OrientedBox.of(low.box, STILL), other, others, pose, test)
+                    || high.touches(OrientedBox.of(high.box, STILL), other, others, pose, test);
         }
-        return touches(own, other.low, OrientedBox.of(other.low.box, seen), seen, test)
-                || touches(own, other.high, OrientedBox.of(other.high.box, seen), seen, test);
+        return touches(own, other.low, OrientedBox.of(other.low.box, pose), pose, test)
+                || touches(own, other.high, OrientedBox.of(other.high.box, pose), pose, test);
     }
 
     private static Vec3[] moved(Vec3[] triangle, Pose by) {

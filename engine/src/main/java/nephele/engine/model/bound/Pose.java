@@ -29,11 +29,11 @@ public record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
      * @param purpose of the first of three random numbers
      */
     public static Pose random(long dice, int purpose, Vec3 at) {
-        double share = Chance.unit(dice, purpose);
+        double fraction = Chance.unit(dice, purpose);
         double first = 2 * Math.PI * Chance.unit(dice, purpose + 1);
         double second = 2 * Math.PI * Chance.unit(dice, purpose + 2);
-        double small = Math.sqrt(1 - share);
-        double large = Math.sqrt(share);
+        double small = Math.sqrt(1 - fraction);
+        double large = Math.sqrt(fraction);
         var turn = new Quaterniond(
                 small * Math.sin(first), small * Math.cos(first), large * Math.sin(second), large * Math.cos(second));
         return turned(new Quaterniond(Rotations.normalised(turn)), at);
@@ -45,7 +45,7 @@ public record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
     }
 
     /** Returns where a point of the world is in the body's coordinates. */
-    public Vec3 seen(Vec3 point) {
+    public Vec3 local(Vec3 point) {
         return turnedBack(point.minus(at));
     }
 
@@ -54,7 +54,7 @@ public record Pose(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
     }
 
     /** Returns the pose of this body as another one sees it. */
-    public Pose seenFrom(Pose other) {
+    public Pose relativeTo(Pose other) {
         return new Pose(
                 other.turnedBack(x), other.turnedBack(y), other.turnedBack(z), other.turnedBack(at.minus(other.at)));
     }

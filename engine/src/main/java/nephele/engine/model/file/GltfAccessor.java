@@ -9,7 +9,7 @@ import java.nio.ByteBuffer;
  * @param dense {@code null} for zeros
  * @param sparse replaces some elements, {@code null} without them
  */
-record GltfAccessor(GltfValue said, int count, int width, Elements dense, Sparse sparse) {
+record GltfAccessor(GltfValue authored, int count, int width, Elements dense, Sparse sparse) {
     static final int BYTE = 5120;
     static final int UNSIGNED_BYTE = 5121;
     static final int SHORT = 5122;
@@ -25,7 +25,7 @@ record GltfAccessor(GltfValue said, int count, int width, Elements dense, Sparse
     }
 
     /** The elements that differ from {@code dense}: their indices, which rise, and their values. */
-    record Sparse(GltfValue said, int count, Elements indices, Elements values) {}
+    record Sparse(GltfValue authored, int count, Elements indices, Elements values) {}
 
     /** The type of a component; normalized integers stand for 0 to 1 or -1 to 1. */
     record Format(int component, boolean isNormalized) {
@@ -68,7 +68,7 @@ record GltfAccessor(GltfValue said, int count, int width, Elements dense, Sparse
         for (int i = 0; i < sparse.count; i++) {
             double index = sparse.indices.number(i, 0);
             if (index <= last || index >= count) {
-                throw sparse.said
+                throw sparse.authored
                         .member("indices")
                         .error("do not rise from 0 to " + (count - 1) + ": index " + (long) index + " at " + i);
             }

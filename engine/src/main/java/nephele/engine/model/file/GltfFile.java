@@ -37,24 +37,43 @@ final class GltfFile {
     private static final int MOST_VALUES = 200_000;
     private static final int DEEPEST = 64;
     private static final Pattern LINE = Pattern.compile("line (\\d+)");
+    private static final int MAGIC = 0x46546C67;
+    private static final int JSON_CHUNK = 0x4E4F534A;
+    private static final int BINARY_CHUNK = 0x004E4942;
+    private static final int HEADER_BYTES = 12;
+    private static final int CHUNK_HEADER_BYTES = 8;
+
     private final String file;
-    private final byte[] bytes;
+    private final byte[] json;
+
+    /** The first buffer of a .glb; {@code null} if there is none. */
+    private final byte[] binary;
+
     private final Function<String, byte[]> neighbour;
 
     /** @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none */
     GltfFile(String file, byte[] bytes, Function<String, byte[]> neighbour) {
         this.file = file;
-        this.bytes = bytes;
         this.neighbour = neighbour;
+        if (bytes.length > MeshLimits.MAX_GLTF_BYTES) {
+            throw new ModelFileException(
+                    file, 0, "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB", "make the mesh coarser");
+        }
+        ByteBuffer data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        boolean isContainer = bytes.length >= 4 && data.getInt(0) == MAGIC;
+        if (isContainer) {
+            checkHeader(data);
+        }
+        json = isContainer ? chunk(data, HEADER_BYTES, JSON_CHUNK) : bytes;
+        int next = HEADER_BYTES + CHUNK_HEADER_BYTES + json.length;
+        binary = isContainer && next < data.limit() ? chunk(data, next, BINARY_CHUNK) : null;
     }
 
     /** @param notes receives one warning if the mesh differs from what the file asks for */
     Mesh read(Consumer<String> notes) {
-        GltfContainer container = GltfContainer.of(file, bytes);
-        GltfValue root = parsed(container.json());
+        GltfValue root = parsed();
         checkVersion(root);
-        GltfBuffers buffers = GltfBuffers.of(root.member("buffers"), container.binary(), neighbour);
-        GltfScene scene = new GltfScene(root, buffers);
+        GltfScene scene = new GltfScene(root, new GltfAccessors(root, binary, neighbour));
         Mesh mesh = scene.mesh();
         if (!scene.skipped().isEmpty()) {
             notes.accept(file + ": its " + String.join(" and ", scene.skipped())
@@ -64,10 +83,10 @@ final class GltfFile {
     }
 
     /** Parses JSON after its values have been counted, which bounds the memory. */
-    private GltfValue parsed(byte[] json) {
+    private GltfValue parsed() {
         try {
-            countValues(json);
-            JsonElement root = JsonParser.parseReader(reader(json));
+            countValues();
+            JsonElement root = JsonParser.parseReader(reader());
             return new GltfValue(file, "", root);
         } catch (IOException | JsonParseException | IllegalStateException | NumberFormatException problem) {
             throw new ModelFileException(
@@ -75,8 +94,8 @@ final class GltfFile {
         }
     }
 
-    private void countValues(byte[] json) throws IOException {
-        try (JsonReader reader = reader(json)) {
+    private void countValues() throws IOException {
+        try (JsonReader reader = reader()) {
             int values = 0;
             for (JsonToken token = reader.peek(); token != JsonToken.END_DOCUMENT; token = reader.peek()) {
                 pass(reader, token);
@@ -101,7 +120,7 @@ final class GltfFile {
         }
     }
 
-    private static JsonReader reader(byte[] json) {
+    private JsonReader reader() {
         var reader = new JsonReader(new InputStreamReader(new ByteArrayInputStream(json), StandardCharsets.UTF_8));
         reader.setStrictness(Strictness.STRICT);
         reader.setNestingLimit(DEEPEST);
@@ -128,72 +147,36 @@ final class GltfFile {
         }
     }
 
-    /**
-     * The contents of a .gltf or .glb file: the JSON text and, in a .glb, the bytes of its first buffer.
-     *
-     * @param binary {@code null} if there are none
-     */
-    private record GltfContainer(byte[] json, byte[] binary) {
-        private static final int MAGIC = 0x46546C67;
-        private static final int JSON_CHUNK = 0x4E4F534A;
-        private static final int BINARY_CHUNK = 0x004E4942;
-        private static final int HEADER_BYTES = 12;
-        private static final int CHUNK_HEADER_BYTES = 8;
-
-        static GltfContainer of(String file, byte[] bytes) {
-            if (bytes.length > MeshLimits.MAX_GLTF_BYTES) {
-                throw new ModelFileException(
-                        file,
-                        0,
-                        "is larger than " + (MeshLimits.MAX_GLTF_BYTES >> 20) + " MiB",
-                        "make the mesh coarser");
-            }
-            ByteBuffer data = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-            boolean binary = bytes.length >= 4 && data.getInt(0) == MAGIC;
-            return binary ? ofChunks(file, data) : new GltfContainer(bytes, null);
+    private void checkHeader(ByteBuffer data) {
+        if (data.limit() < HEADER_BYTES + CHUNK_HEADER_BYTES) {
+            throw wrong(data.limit(), "the file ends within its header");
         }
-
-        private static GltfContainer ofChunks(String file, ByteBuffer data) {
-            if (data.limit() < HEADER_BYTES + CHUNK_HEADER_BYTES) {
-                throw wrong(file, data.limit(), "the file ends within its header");
-            }
-            if (data.getInt(4) != 2) {
-                throw wrong(
-                        file, 4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
-            }
-            if (data.getInt(8) != data.limit()) {
-                throw wrong(
-                        file,
-                        8,
-                        "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has "
-                                + data.limit());
-            }
-            byte[] json = chunk(file, data, HEADER_BYTES, JSON_CHUNK);
-            int next = HEADER_BYTES + CHUNK_HEADER_BYTES + json.length;
-            byte[] binary = next == data.limit() ? null : chunk(file, data, next, BINARY_CHUNK);
-            return new GltfContainer(json, binary);
+        if (data.getInt(4) != 2) {
+            throw wrong(4, "is version " + Integer.toUnsignedString(data.getInt(4)) + " of the container, not 2");
         }
-
-        private static byte[] chunk(String file, ByteBuffer data, int at, int kind) {
-            if (at + CHUNK_HEADER_BYTES > data.limit()) {
-                throw wrong(file, at, "the file ends within a chunk's header");
-            }
-            int length = data.getInt(at);
-            int start = at + CHUNK_HEADER_BYTES;
-            if (data.getInt(at + 4) != kind) {
-                throw wrong(file, at + 4, "the chunk is not the one expected there");
-            }
-            if (length < 0 || length > data.limit() - start) {
-                throw wrong(
-                        file,
-                        at,
-                        "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
-            }
-            return Arrays.copyOfRange(data.array(), start, start + length);
+        if (data.getInt(8) != data.limit()) {
+            throw wrong(
+                    8,
+                    "says that it has " + Integer.toUnsignedString(data.getInt(8)) + " bytes, but has " + data.limit());
         }
+    }
 
-        private static ModelFileException wrong(String file, int at, String reason) {
-            return new ModelFileException(file, 0, "byte " + at + ": " + reason, "export it again");
+    private byte[] chunk(ByteBuffer data, int at, int kind) {
+        if (at + CHUNK_HEADER_BYTES > data.limit()) {
+            throw wrong(at, "the file ends within a chunk's header");
         }
+        int length = data.getInt(at);
+        int start = at + CHUNK_HEADER_BYTES;
+        if (data.getInt(at + 4) != kind) {
+            throw wrong(at + 4, "the chunk is not the one expected there");
+        }
+        if (length < 0 || length > data.limit() - start) {
+            throw wrong(at, "a chunk of " + Integer.toUnsignedString(length) + " bytes goes beyond the file's end");
+        }
+        return Arrays.copyOfRange(data.array(), start, start + length);
+    }
+
+    private ModelFileException wrong(int at, String reason) {
+        return new ModelFileException(file, 0, "byte " + at + ": " + reason, "export it again");
     }
 }

@@ -3,6 +3,7 @@ package nephele.engine.model.file;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import nephele.engine.math.bvh.ItemList;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
@@ -137,11 +138,12 @@ final class ObjFile {
         for (int i = 0; i < polygon.length; i++) {
             polygon[i] = corner(words.get(i), group);
         }
-        tests += PolygonTriangles.cut(
-                places,
-                polygon,
-                MOST_TESTS - tests,
-                (a, b, c) -> corners.addTriangle(polygon[a], polygon[b], polygon[c]));
+        ItemList triangles = new ItemList();
+        tests += PolygonTriangles.cut(places, polygon, MOST_TESTS - tests, triangles);
+        for (int i = 0; i < triangles.size(); i += 3) {
+            corners.addTriangle(
+                    polygon[triangles.get(i)], polygon[triangles.get(i + 1)], polygon[triangles.get(i + 2)]);
+        }
         if (tests > MOST_TESTS) {
             throw text.error("the polygons up to here are too jagged", "export triangles");
         }

@@ -1,6 +1,7 @@
 package nephele.engine.model.file;
 
 import java.util.Arrays;
+import nephele.engine.math.bvh.ItemList;
 import nephele.engine.model.Mesh;
 import org.joml.Vector3d;
 
@@ -16,7 +17,7 @@ final class ObjMeshBuilder {
     private final FloatList textures;
     private final FloatList normals;
     private final TripleIndex vertices = new TripleIndex();
-    private final IntList indices = new IntList();
+    private final ItemList indices = new ItemList();
 
     /** Position and smoothing group of each normal that is to be computed. */
     private final TripleIndex smoothed = new TripleIndex();
@@ -74,7 +75,7 @@ final class ObjMeshBuilder {
     }
 
     private void addCorner(int[] corner, int[] next, int[] last) {
-        indices.add(vertices.numberOf(corner[0], corner[1], corner[2]));
+        indices.accept(vertices.numberOf(corner[0], corner[1], corner[2]));
         if (corner[2] < 0) {
             Vector3d a = edge(corner, next);
             Vector3d b = edge(corner, last);
@@ -116,9 +117,9 @@ final class ObjMeshBuilder {
 
     /** Numbers integer triples in the order of their first occurrence, without an object for each. */
     private static final class TripleIndex {
-        private final IntList first = new IntList();
-        private final IntList second = new IntList();
-        private final IntList third = new IntList();
+        private final ItemList first = new ItemList();
+        private final ItemList second = new ItemList();
+        private final ItemList third = new ItemList();
 
         /** A hash table of triple numbers plus one; 0 for an empty slot. */
         private int[] slots = new int[64];
@@ -128,15 +129,15 @@ final class ObjMeshBuilder {
         }
 
         int first(int number) {
-            return first.at(number);
+            return first.get(number);
         }
 
         int second(int number) {
-            return second.at(number);
+            return second.get(number);
         }
 
         int third(int number) {
-            return third.at(number);
+            return third.get(number);
         }
 
         /** Returns the number of a triple; for a new one, {@link #size} before the call. */
@@ -145,9 +146,9 @@ final class ObjMeshBuilder {
             if (slots[slot] != 0) {
                 return slots[slot] - 1;
             }
-            first.add(a);
-            second.add(b);
-            third.add(c);
+            first.accept(a);
+            second.accept(b);
+            third.accept(c);
             slots[slot] = size();
             if (2 * size() > slots.length) {
                 grow();
@@ -164,13 +165,13 @@ final class ObjMeshBuilder {
         }
 
         private boolean isAt(int number, int a, int b, int c) {
-            return first.at(number) == a && second.at(number) == b && third.at(number) == c;
+            return first.get(number) == a && second.get(number) == b && third.get(number) == c;
         }
 
         private void grow() {
             slots = new int[2 * slots.length];
             for (int number = 0; number < size(); number++) {
-                slots[slot(first.at(number), second.at(number), third.at(number))] = number + 1;
+                slots[slot(first.get(number), second.get(number), third.get(number))] = number + 1;
             }
         }
 

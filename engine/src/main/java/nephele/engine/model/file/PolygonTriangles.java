@@ -1,5 +1,6 @@
 package nephele.engine.model.file;
 
+import nephele.engine.math.bvh.ItemList;
 import org.joml.Vector3d;
 
 /**
@@ -7,12 +8,6 @@ import org.joml.Vector3d;
  * that intersects itself is cut on a best-effort basis.
  */
 final class PolygonTriangles {
-    /** Receives a triangle by its corner indices in the polygon. */
-    @FunctionalInterface
-    interface Taker {
-        void take(int a, int b, int c);
-    }
-
     private final double[] x;
     private final double[] y;
     private final int[] next;
@@ -36,8 +31,9 @@ final class PolygonTriangles {
      * Triangulates a polygon and returns the number of corner tests; more than {@code mostTests} if it gave up.
      *
      * @param corners each begins with the index of its position
+     * @param triangles receives three indices of corners for each triangle
      */
-    static long cut(FloatList positions, int[][] corners, long mostTests, Taker triangles) {
+    static long cut(FloatList positions, int[][] corners, long mostTests, ItemList triangles) {
         var polygon = new PolygonTriangles(corners.length);
         polygon.flatten(positions, corners);
         polygon.clip(corners.length, mostTests, triangles);
@@ -74,13 +70,13 @@ final class PolygonTriangles {
         return right.lengthSquared() == 0 ? right.set(1, 0, 0) : right.normalize();
     }
 
-    private void clip(int corners, long mostTests, Taker triangles) {
+    private void clip(int corners, long mostTests, ItemList triangles) {
         int left = corners;
         int at = 0;
         int failed = 0;
         while (left > 3 && tests <= mostTests) {
             if (failed >= left || isEar(at)) {
-                triangles.take(previous[at], at, next[at]);
+                add(at, triangles);
                 next[previous[at]] = next[at];
                 previous[next[at]] = previous[at];
                 left--;
@@ -91,7 +87,13 @@ final class PolygonTriangles {
                 at = next[at];
             }
         }
-        triangles.take(previous[at], at, next[at]);
+        add(at, triangles);
+    }
+
+    private void add(int corner, ItemList triangles) {
+        triangles.accept(previous[corner]);
+        triangles.accept(corner);
+        triangles.accept(next[corner]);
     }
 
     /** Returns true if the corner is convex and its triangle contains no other corner. */

@@ -3,7 +3,6 @@ package nephele.engine.model.shape;
 import java.util.Locale;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshLimits;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 import org.joml.Vector3d;
 
 /**
@@ -67,13 +66,13 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
                 Vector3d normal = normals.unit(cross, column, row, tessellation);
                 mesh.point(point.x, point.y, point.z)
                         .normal(normal.x, normal.y, normal.z)
-                        .texture(share(tessellation - column), share(tessellation - row));
+                        .texture(fraction(tessellation - column), fraction(tessellation - row));
             }
         }
-        GridTriangles.join(mesh, first, tessellation, tessellation, Diagonal.FALLING);
+        mesh.grid(first, tessellation, tessellation);
     }
 
-    private double share(int parts) {
+    private double fraction(int parts) {
         return (double) parts / tessellation;
     }
 

@@ -18,8 +18,24 @@ record Circle(double[] sine, double[] cosine) {
         return new Circle(sine, cosine);
     }
 
-    int parts() {
-        return sine.length - 1;
+    /**
+     * Adds the flat end of a cone or a cylinder: a fan around its centre, with the image orientation of a box's face.
+     *
+     * @param side 1 for a face upwards, −1 for one downwards
+     */
+    void addDisc(MeshBuilder mesh, double radius, double y, int side) {
+        int centre = mesh.point(0, y, 0).normal(0, side, 0).texture(0.5, 0.5);
+        int slices = sine.length - 1;
+        for (int i = 0; i < slices; i++) {
+            double x = sine[i];
+            double z = cosine[i];
+            mesh.point(radius * x, y, radius * z).normal(0, side, 0).texture(0.5 + 0.5 * x, 0.5 - side * 0.5 * z);
+        }
+        for (int i = 0; i < slices; i++) {
+            int here = centre + 1 + i;
+            int next = centre + 1 + (i + 1) % slices;
+            mesh.triangle(centre, side > 0 ? here : next, side > 0 ? next : here);
+        }
     }
 
     /** Returns the cosine of {@code numerator / denominator} turns. */

@@ -1,7 +1,6 @@
 package nephele.engine.model.shape;
 
 import nephele.engine.model.Mesh;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 
 /** A closed cone on the xz plane around the y axis. The first slice begins at +z and continues towards +x. */
 public record ConeShape(double radius, double height, int slices, int stacks) implements Shape {
@@ -15,14 +14,14 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
     @Override
     public Mesh mesh() {
         int sideVertices = stacks * (slices + 1) + slices;
-        var mesh = new MeshBuilder(sideVertices + Disc.vertices(slices), maxTriangles());
+        var mesh = new MeshBuilder(sideVertices + (slices + 1), maxTriangles());
         Circle circle = Circle.of(slices);
         for (int stack = 0; stack < stacks; stack++) {
             ring(mesh, circle, stack);
         }
-        GridTriangles.join(mesh, 0, slices, stacks - 1, Diagonal.FALLING);
+        mesh.grid(0, slices, stacks - 1);
         tip(mesh, (stacks - 1) * (slices + 1));
-        Disc.DOWN.add(mesh, circle, radius, 0);
+        circle.addDisc(mesh, radius, 0, -1);
         return mesh.mesh();
     }
 
@@ -32,11 +31,11 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
     }
 
     private void ring(MeshBuilder mesh, Circle circle, int stack) {
-        double share = (double) (stacks - stack) / stacks;
+        double fraction = (double) (stacks - stack) / stacks;
         for (int i = 0; i <= slices; i++) {
             double sine = circle.sine()[i];
             double cosine = circle.cosine()[i];
-            mesh.point(radius * share * sine, height * stack / stacks, radius * share * cosine);
+            mesh.point(radius * fraction * sine, height * stack / stacks, radius * fraction * cosine);
             sideNormal(mesh, sine, cosine).texture((double) i / slices, (double) stack / stacks);
         }
     }

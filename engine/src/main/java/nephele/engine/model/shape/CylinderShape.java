@@ -1,7 +1,6 @@
 package nephele.engine.model.shape;
 
 import nephele.engine.model.Mesh;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 
 /**
  * A closed cylinder around the y axis, centred at the origin. The first slice begins at +z and continues towards +x.
@@ -15,13 +14,13 @@ public record CylinderShape(double radius, double height, int slices) implements
 
     @Override
     public Mesh mesh() {
-        var mesh = new MeshBuilder(2 * (slices + 1) + 2 * Disc.vertices(slices), maxTriangles());
+        var mesh = new MeshBuilder(2 * (slices + 1) + 2 * (slices + 1), maxTriangles());
         Circle circle = Circle.of(slices);
         ring(mesh, circle, -height / 2, 0);
         ring(mesh, circle, height / 2, 1);
-        GridTriangles.join(mesh, 0, slices, 1, Diagonal.FALLING);
-        Disc.DOWN.add(mesh, circle, radius, -height / 2);
-        Disc.UP.add(mesh, circle, radius, height / 2);
+        mesh.grid(0, slices, 1);
+        circle.addDisc(mesh, radius, -height / 2, -1);
+        circle.addDisc(mesh, radius, height / 2, 1);
         return mesh.mesh();
     }
 

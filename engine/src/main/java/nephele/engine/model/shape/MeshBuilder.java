@@ -50,9 +50,29 @@ final class MeshBuilder {
     }
 
     /** Adds a triangle unless two of its corners coincide. */
-    void properTriangle(int a, int b, int c) {
+    private void properTriangle(int a, int b, int c) {
         if (!samePlace(a, b) && !samePlace(b, c) && !samePlace(c, a)) {
             triangle(a, b, c);
+        }
+    }
+
+    /**
+     * Joins {@code rows + 1} rows of {@code columns + 1} vertices, beginning at vertex {@code first}. Seen from outside,
+     * columns run to the right and rows upwards; the cells' diagonals fall from the upper left to the lower right corner.
+     */
+    void grid(int first, int columns, int rows) {
+        grid(first, columns, rows, false);
+    }
+
+    /** Joins vertices likewise, with diagonals that fall, or rise from the lower left to the upper right corner. */
+    void grid(int first, int columns, int rows, boolean isRising) {
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                int lowerLeft = first + row * (columns + 1) + column;
+                int upperLeft = lowerLeft + columns + 1;
+                properTriangle(lowerLeft, lowerLeft + 1, isRising ? upperLeft + 1 : upperLeft);
+                properTriangle(isRising ? lowerLeft : lowerLeft + 1, upperLeft + 1, upperLeft);
+            }
         }
     }
 

@@ -7,17 +7,9 @@ import nephele.engine.model.Mesh;
  *
  * @param length edge length
  * @param divisions divisions of an edge
- * @param sides the faces of the square
+ * @param isTwoSided true for two coincident faces, because back faces are not drawn; false for one towards +y
  */
-public record PlaneShape(double length, int divisions, Sides sides) implements Shape {
-    /** The faces of a plane. */
-    public enum Sides {
-        /** One face towards +y. */
-        TOP,
-        /** Two coincident faces, because back faces are not drawn. */
-        BOTH
-    }
-
+public record PlaneShape(double length, int divisions, boolean isTwoSided) implements Shape {
     public PlaneShape {
         ShapeParameter.LENGTH.check(length);
         ShapeParameter.DIVISIONS.check(divisions);
@@ -25,10 +17,10 @@ public record PlaneShape(double length, int divisions, Sides sides) implements S
 
     @Override
     public Mesh mesh() {
-        int faces = sides == Sides.BOTH ? 2 : 1;
+        int faces = isTwoSided ? 2 : 1;
         var mesh = new MeshBuilder(faces * (divisions + 1) * (divisions + 1), maxTriangles());
         SquareFace.TOP.add(mesh, length, divisions, 0);
-        if (sides == Sides.BOTH) {
+        if (isTwoSided) {
             SquareFace.BOTTOM.add(mesh, length, divisions, 0);
         }
         return mesh.mesh();
@@ -36,6 +28,6 @@ public record PlaneShape(double length, int divisions, Sides sides) implements S
 
     @Override
     public int maxTriangles() {
-        return (sides == Sides.BOTH ? 4 : 2) * divisions * divisions;
+        return (isTwoSided ? 4 : 2) * divisions * divisions;
     }
 }

@@ -6,11 +6,10 @@ import java.util.Optional;
 import java.util.StringJoiner;
 import java.util.function.Function;
 import java.util.stream.Stream;
-import nephele.engine.model.shape.PlaneShape.Sides;
 
 /** The shapes that are defined by numbers alone, by name. */
 public enum ShapeKind {
-    PLANE(n -> new PlaneShape(n[0], (int) n[1], Sides.TOP), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
+    PLANE(n -> new PlaneShape(n[0], (int) n[1], false), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
     BOX(n -> new BoxShape(n[0], (int) n[1]), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
     CONE(
             n -> new ConeShape(n[0], n[1], (int) n[2], (int) n[3]),

@@ -1,8 +1,8 @@
 package nephele.engine.model.shape;
 
+import nephele.engine.asset.MessageText;
 import nephele.engine.model.MeshLimits;
 import nephele.engine.model.ModelText;
-import nephele.engine.model.NumberFormatting;
 
 /** A parameter of a shape, with its meaning and range. Lengths are in model units. */
 public enum ShapeParameter {
@@ -56,9 +56,9 @@ public enum ShapeParameter {
         double most = counts() ? MOST_PARTS : MeshLimits.MAX_COORDINATE_UNITS;
         boolean whole = !counts() || value == Math.rint(value);
         if (!(value >= least && value <= most) || !whole) {
-            throw new IllegalArgumentException(this + " is " + NumberFormatting.of(value) + ", but has to be "
-                    + (counts() ? "a whole number " : "") + "from " + NumberFormatting.of(least) + " to "
-                    + NumberFormatting.of(most));
+            throw new IllegalArgumentException(this + " is " + MessageText.number(value) + ", but has to be "
+                    + (counts() ? "a whole number " : "") + "from " + MessageText.number(least) + " to "
+                    + MessageText.number(most));
         }
         return value;
     }

@@ -1,7 +1,6 @@
 package nephele.engine.model.shape;
 
 import nephele.engine.model.Mesh;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 
 /** A sphere around the origin with its poles on the y axis. The first slice begins at +z and continues towards +x. */
 public record SphereShape(double radius, int slices, int stacks) implements Shape {
@@ -26,7 +25,7 @@ public record SphereShape(double radius, int slices, int stacks) implements Shap
         int north = mesh.nextVertex();
         pole(mesh, 1);
         caps(mesh, rings, north);
-        GridTriangles.join(mesh, rings, slices, stacks - 2, Diagonal.FALLING);
+        mesh.grid(rings, slices, stacks - 2);
         return mesh.mesh();
     }
 

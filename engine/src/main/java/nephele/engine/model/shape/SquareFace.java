@@ -1,30 +1,30 @@
 package nephele.engine.model.shape;
 
 import nephele.engine.math.Vec3;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 
 /**
  * A face of a box, with the orientation of an image on it: upright on the four sides, with its upper edge at -z on top
  * and at +z below. The diagonals match the pictures of the course from which the scenes come.
  */
 enum SquareFace {
-    TOP(new Vec3(1, 0, 0), new Vec3(0, 0, -1), Diagonal.FALLING),
-    BOTTOM(new Vec3(1, 0, 0), new Vec3(0, 0, 1), Diagonal.RISING),
-    FRONT(new Vec3(1, 0, 0), new Vec3(0, 1, 0), Diagonal.RISING),
-    BACK(new Vec3(-1, 0, 0), new Vec3(0, 1, 0), Diagonal.FALLING),
-    RIGHT(new Vec3(0, 0, -1), new Vec3(0, 1, 0), Diagonal.RISING),
-    LEFT(new Vec3(0, 0, 1), new Vec3(0, 1, 0), Diagonal.RISING);
+    TOP(new Vec3(1, 0, 0), new Vec3(0, 0, -1), false),
+    BOTTOM(new Vec3(1, 0, 0), new Vec3(0, 0, 1), true),
+    FRONT(new Vec3(1, 0, 0), new Vec3(0, 1, 0), true),
+    BACK(new Vec3(-1, 0, 0), new Vec3(0, 1, 0), false),
+    RIGHT(new Vec3(0, 0, -1), new Vec3(0, 1, 0), true),
+    LEFT(new Vec3(0, 0, 1), new Vec3(0, 1, 0), true);
 
     private final Vec3 right;
     private final Vec3 up;
     private final Vec3 outward;
-    private final Diagonal diagonal;
+    private final boolean isRising;
 
-    SquareFace(Vec3 right, Vec3 up, Diagonal diagonal) {
+    /** @param isRising whether the diagonals of the face's cells rise to the right */
+    SquareFace(Vec3 right, Vec3 up, boolean isRising) {
         this.right = right;
         this.up = up;
         this.outward = Vec3.of(right.toVector().cross(up.toVector()));
-        this.diagonal = diagonal;
+        this.isRising = isRising;
     }
 
     /** @param distance of the face from the origin */
@@ -42,7 +42,7 @@ enum SquareFace {
                         .texture((double) column / divisions, (double) row / divisions);
             }
         }
-        GridTriangles.join(mesh, first, divisions, divisions, diagonal);
+        mesh.grid(first, divisions, divisions, isRising);
     }
 
     /** Returns the same magnitude from both ends, so that faces join to the last bit. */

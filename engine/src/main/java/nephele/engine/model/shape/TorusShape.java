@@ -1,7 +1,6 @@
 package nephele.engine.model.shape;
 
 import nephele.engine.model.Mesh;
-import nephele.engine.model.shape.GridTriangles.Diagonal;
 
 /**
  * A torus around the y axis. Slices begin at +z and continue towards +x; stacks begin inside and continue below,
@@ -42,7 +41,7 @@ public record TorusShape(double radius, double tube, int slices, int stacks) imp
                         .texture((double) i / slices, (double) stack / stacks);
             }
         }
-        GridTriangles.join(mesh, 0, slices, stacks, Diagonal.FALLING);
+        mesh.grid(0, slices, stacks);
         return mesh.mesh();
     }
 

@@ -114,7 +114,7 @@ public final class FixedPortalRules {
     }
 
     private void addModel(PlacedModel model, String path) {
-        String id = model.said().id();
+        String id = model.authored().id();
         if (model.solid() != null) {
             addBefore(path, id, new Blocker.Convex(model.solid(), 0).loops());
         }
@@ -163,7 +163,7 @@ public final class FixedPortalRules {
 
     /** Returns true if the author marked this very face as not portalable. */
     private static boolean saysNo(Solid authored, String face) {
-        return Boolean.FALSE.equals(SolidFaces.said(authored, face).portalable());
+        return Boolean.FALSE.equals(SolidFaces.authored(authored, face).portalable());
     }
 
     /** Removes what a face covers from the uncovered pieces. */

@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
-import java.util.Arrays;
+import java.util.Map;
+import java.util.TreeMap;
 import nephele.engine.math.Directions;
 import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
@@ -22,30 +23,29 @@ public final class FourLineCheck {
         beyond = neighbours(soup);
     }
 
-    /** Finds pairs of sides with the same ends in opposite order. */
+    /** Finds for each side the triangle that has it in opposite order. */
     private static int[] neighbours(TriangleSoup soup) {
-        int sides = soup.vertices().length;
-        int[] beyond = new int[sides];
-        Arrays.fill(beyond, -1);
-        Side[] sorted = new Side[sides];
-        for (int side = 0; side < sides; side++) {
-            int from = soup.vertices()[side];
-            int to = soup.vertices()[side - side % 3 + (side + 1) % 3];
-            sorted[side] = new Side(side, (long) Math.min(from, to) << 32 | Math.max(from, to), from < to);
+        int[] vertices = soup.vertices();
+        Map<Long, Integer> sides = new TreeMap<>();
+        for (int side = 0; side < vertices.length; side++) {
+            sides.put(ends(vertices[side], vertices[next(side)]), side);
         }
-        Arrays.sort(sorted, (a, b) -> Long.compare(a.ends(), b.ends()));
-        for (int i = 0; i + 1 < sides; i++) {
-            Side a = sorted[i];
-            Side b = sorted[i + 1];
-            if (a.ends() == b.ends() && a.forward() != b.forward()) {
-                beyond[a.number()] = b.number() / 3;
-                beyond[b.number()] = a.number() / 3;
-            }
+        int[] beyond = new int[vertices.length];
+        for (int side = 0; side < vertices.length; side++) {
+            Integer opposite = sides.get(ends(vertices[next(side)], vertices[side]));
+            beyond[side] = opposite == null ? -1 : opposite / 3;
         }
         return beyond;
     }
 
-    private record Side(int number, long ends, boolean forward) {}
+    private static long ends(int from, int to) {
+        return (long) from << 32 | to;
+    }
+
+    /** Returns the next side of the same triangle, which starts where a side ends. */
+    private static int next(int side) {
+        return side - side % 3 + (side + 1) % 3;
+    }
 
     /**
      * Returns true if the rectangle fits.

@@ -130,7 +130,7 @@ public final class Placement {
     /** @param fitting returns the result of an aim at a point of a region */
     private PlacementResult onHit(Shot shot, BiFunction<Region, Vec3, PlacementResult> fitting) {
         StaticShape.HeightGrid terrain = surfaces.ground(hit.item());
-        if (terrain != null && terrain.said().portalable()) {
+        if (terrain != null && terrain.authored().portalable()) {
             return ground.place(shot, terrain.field());
         }
         Region region = terrain != null ? null : surfaces.region(shot.ray(), hit.item());

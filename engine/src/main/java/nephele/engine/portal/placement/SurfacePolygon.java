@@ -46,7 +46,7 @@ public record SurfacePolygon(
         WorldTriangles mesh = model.triangles();
         return of(
                 List.of(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)),
-                model.said().portalable());
+                model.authored().portalable());
     }
 
     private static Vec3 corner(TriangleSoup soup, int at) {

@@ -58,16 +58,16 @@ public final class LevelClouds {
                 .toList();
         boolean isRound = environment.sky() instanceof Sky.Atmosphere && environment.sun() != null;
         Surroundings open = isRound
-                ? OverPlanet.of(environment, groundShare(environment, loaded, seconds))
+                ? OverPlanet.of(environment, groundFraction(environment, loaded, seconds))
                 : plain(environment.sun(), sky.orElse(BLACK));
         return Optional.of(new LevelClouds(new CloudMedia(media), new CloudMedia(shafts), open));
     }
 
-    private static double groundShare(Environment environment, LoadedClouds loaded, double seconds) {
+    private static double groundFraction(Environment environment, LoadedClouds loaded, double seconds) {
         var sky = (Sky.Atmosphere) environment.sky();
         double sine = Directions.unit(Daylight.onGround(environment).directionTowardsSun())
                 .y();
-        return loaded.groundShare(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
+        return loaded.groundFraction(seconds, Vec3.ZERO, sine, sky.groundAlbedo());
     }
 
     private static Surroundings plain(Sun sun, SkyRadiance sky) {

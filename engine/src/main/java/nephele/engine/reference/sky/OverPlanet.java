@@ -1,11 +1,7 @@
 package nephele.engine.reference.sky;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirTables;
-import nephele.engine.atmosphere.SkyLattice;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
@@ -26,56 +22,37 @@ import nephele.engine.reference.volume.Surroundings;
 final class OverPlanet implements Surroundings {
     private final Sky.Atmosphere atmosphere;
     private final Vec3 outside;
-    private final Scattered sun;
-    private final Optional<Scattered> moon;
+    private final LightOverPlanet sun;
+
+    /** {@code null} while it does not shine. */
+    private final LightOverPlanet moon;
+
     private final List<DistantLight> lights;
-    private final double groundShare;
+    private final double groundFraction;
 
-    /**
-     * A light that the air scatters.
-     *
-     * @param irradiance outside the air, RGB
-     */
-    private record Scattered(Vec3 towards, Vec3 irradiance, SkyLattice sky) {
-        Scattered(AirTables tables, Vec3 towards, Vec3 irradiance) {
-            this(towards, irradiance, new SkyLattice(tables, towards.y()));
-        }
-
-        Vec3 from(PlanetPlace place, Vec3 direction) {
-            Vec3 radiance = sky.radiance(
-                    place.altitudeMetres(),
-                    place.zenith().dot(direction),
-                    place.zenith().dot(towards),
-                    direction.dot(towards));
-            return radiance.times(irradiance);
-        }
-    }
-
-    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundShare) {
-        this.groundShare = groundShare;
+    private OverPlanet(Sky.Atmosphere atmosphere, Sun sun, double groundFraction) {
+        this.groundFraction = groundFraction;
         this.atmosphere = atmosphere;
         outside = sun.irradiance();
-        Air air = Daylight.air(atmosphere);
-        AirTables tables = AirCache.tables(air);
-        Vec3 towardsSun = Directions.unit(sun.directionTowardsSun());
-        this.sun = new Scattered(tables, towardsSun, outside);
-        lights = new ArrayList<>();
-        lights.add(new LightOverPlanet(air, outside, towardsSun));
+        AirTables tables = AirCache.tables(Daylight.air(atmosphere));
+        this.sun = new LightOverPlanet(tables, outside, outside, Directions.unit(sun.directionTowardsSun()));
         Moonlight night = Moonlight.of(atmosphere, sun);
-        if (night.shines()) {
-            moon = Optional.of(new Scattered(tables, night.towardsMoon(), outside.times(night.irradiance())));
-            lights.add(new LightOverPlanet(air, outside.times(night.ofWholeDisc()), night.towardsMoon()));
-        } else {
-            moon = Optional.empty();
-        }
+        moon = night.shines()
+                ? new LightOverPlanet(
+                        tables,
+                        outside.times(night.ofWholeDisc()),
+                        outside.times(night.irradiance()),
+                        night.towardsMoon())
+                : null;
+        lights = moon == null ? List.of(this.sun) : List.of(this.sun, moon);
     }
 
     /**
      * @param environment with a sky of kind atmosphere and the sun of the time
-     * @param groundShare share of its light that the ground keeps under the clouds
+     * @param groundFraction of its light that the ground keeps under the clouds
      */
-    static OverPlanet of(Environment environment, double groundShare) {
-        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundShare);
+    static OverPlanet of(Environment environment, double groundFraction) {
+        return new OverPlanet((Sky.Atmosphere) environment.sky(), environment.sun(), groundFraction);
     }
 
     @Override
@@ -87,11 +64,11 @@ final class OverPlanet implements Surroundings {
     public Vec3 skylight(Vec3 from, Vec3 direction) {
         PlanetPlace place = PlanetPlace.of(from);
         Vec3 zenith = place.zenith();
-        Vec3 glow = CelestialPositions.nightGlow(atmosphere, zenith.dot(sun.towards), zenith.dot(direction));
-        Vec3 sum = sun.from(place, direction).plus(glow.times(outside));
-        Vec3 all = moon.isPresent() ? sum.plus(moon.get().from(place, direction)) : sum;
+        Vec3 glow = CelestialPositions.nightGlow(atmosphere, zenith.dot(sun.towards()), zenith.dot(direction));
+        Vec3 sum = sun.skylight(place, direction).plus(glow.times(outside));
+        Vec3 all = moon == null ? sum : sum.plus(moon.skylight(place, direction));
         boolean meetsGround = PlanetPlace.reachMetres(Ray.of(from, direction)) < Double.POSITIVE_INFINITY;
-        return meetsGround ? all.scaled(groundShare) : all;
+        return meetsGround ? all.scaled(groundFraction) : all;
     }
 
     @Override

@@ -13,12 +13,12 @@ import org.joml.Vector3dc;
 /** Clouds and air between the surfaces of a level and the light that falls on them. For any number of threads. */
 public sealed interface SkyCover {
     /**
-     * Returns a random number in 0 to 1 whose mean is the share of a light that passes the clouds before a place.
+     * Returns a random number in 0 to 1 whose mean is the fraction of a light that passes the clouds before a place.
      *
      * @param towardsLight unit
      * @param metres to the light; infinite for the sun
      */
-    double share(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random);
+    double fraction(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random);
 
     /**
      * Returns a random RGB value whose mean is irradiance / π of a surface from the sky, through and from the clouds, if
@@ -44,7 +44,7 @@ public sealed interface SkyCover {
         }
 
         @Override
-        public double share(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
+        public double fraction(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
             return 1;
         }
 
@@ -66,7 +66,7 @@ public sealed interface SkyCover {
         }
 
         @Override
-        public double share(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
+        public double fraction(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
             Ray ray = ray(place, Vec3.of(towardsLight));
             return clouds.media().transmittance(ray, 0, Math.min(metres, clouds.reachMetres(ray)), random);
         }

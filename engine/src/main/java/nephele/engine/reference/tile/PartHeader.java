@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The head of a part file: which picture it belongs to, and which share of it it holds.
+ * The head of a part file: which picture it belongs to, and which fraction of it it holds.
  *
  * @param facts what the picture depends on, in words, by name; parts of one picture have the same
  */

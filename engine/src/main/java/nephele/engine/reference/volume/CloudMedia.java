@@ -43,7 +43,7 @@ public final class CloudMedia {
         boolean isMet = index.nearest(
                 ray,
                 toMetres,
-                (r, item, limit) -> DeltaTracking.collision(media.get(item).field(), r, fromMetres, limit, random),
+                (r, item, limit) -> MajorantTracking.collision(media.get(item).field(), r, fromMetres, limit, random),
                 hit);
         return isMet ? new Collision(media.get(hit.item()), hit.distance()) : null;
     }
@@ -57,7 +57,7 @@ public final class CloudMedia {
     public double transmittance(Ray ray, double fromMetres, double toMetres, SplittableRandom random) {
         double[] product = {1};
         boolean isOpaque = index.anyHit(ray, toMetres, (r, item, limit) -> {
-            product[0] *= RatioTracking.transmittance(media.get(item).field(), r, fromMetres, limit, random);
+            product[0] *= MajorantTracking.transmittance(media.get(item).field(), r, fromMetres, limit, random);
             return product[0] > 0 ? Double.POSITIVE_INFINITY : 0;
         });
         return isOpaque ? 0 : product[0];

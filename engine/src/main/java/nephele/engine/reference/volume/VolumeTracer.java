@@ -109,8 +109,8 @@ public final class VolumeTracer {
             aim(towardsLight, at, light.towards());
             if (!around.isLightBlocked(towardsLight)) {
                 double scattered = phase.perSteradian(Deflection.separation(direction, light.towards()));
-                double share = media.transmittance(towardsLight, 0, around.reachMetres(towardsLight), random);
-                sum = sum.addScaled(weight * scattered * share, irradiance);
+                double fraction = media.transmittance(towardsLight, 0, around.reachMetres(towardsLight), random);
+                sum = sum.addScaled(weight * scattered * fraction, irradiance);
             }
         }
 

@@ -83,8 +83,8 @@ public final class FrameContext {
         return limits;
     }
 
-    /** Returns the frustum outside of which nothing is seen: {@link #limits}, or that of the view's picture. */
-    public Frustum seen() {
+    /** Returns the frustum outside of which nothing is visible: {@link #limits}, or that of the view's picture. */
+    public Frustum frustum() {
         if (limits != null) {
             return limits;
         }

@@ -24,8 +24,8 @@ public record FrameRequest(
      */
     public static FrameRequest of(
             Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence character) {
-        CharacterPresence shown = character.in(level);
-        return new FrameRequest(level, LightMaps.of(level, statics, quality, shown), output, quality, shown);
+        CharacterPresence presence = character.in(level);
+        return new FrameRequest(level, LightMaps.of(level, statics, quality, presence), output, quality, presence);
     }
 
     /** Returns a request with quality HIGH and without a character. */

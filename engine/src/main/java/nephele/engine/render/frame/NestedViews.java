@@ -1,5 +1,6 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.ViewNode;
 
@@ -17,8 +18,8 @@ public interface NestedViews {
         MARK
     }
 
-    /** The colour, 0xRRGGBB, of an opening that is not drawn, in pictures whose colours identify surfaces. */
-    int MARK = 0xff00ff;
+    /** The colour of an opening that is not drawn, in pictures whose colours identify surfaces. */
+    Vec3 MARK = new Vec3(1, 0, 1);
 
     Filling filling(ViewNode child);
 

@@ -87,10 +87,10 @@ public record QualityField(String name, String component, Class<?> type, Quality
         } else if (type == int.class) {
             return "a whole number from " + (int) declared.least() + " to " + (int) declared.most();
         }
-        return "a number from " + declared.least() + " to " + (isShare() ? "1" : declared.most());
+        return "a number from " + declared.least() + " to " + (isFraction() ? "1" : declared.most());
     }
 
-    private boolean isShare() {
+    private boolean isFraction() {
         return declared.most() == 1;
     }
 
@@ -106,7 +106,7 @@ public record QualityField(String name, String component, Class<?> type, Quality
                     ? Optional.of(Integer.valueOf(text))
                     : Optional.empty();
         }
-        return text.matches(isShare() ? "[01](\\.[0-9]{1,9})?" : "[0-9]{1,3}(\\.[0-9]{1,9})?")
+        return text.matches(isFraction() ? "[01](\\.[0-9]{1,9})?" : "[0-9]{1,3}(\\.[0-9]{1,9})?")
                         && isInRange(Double.parseDouble(text))
                 ? Optional.of(Double.valueOf(text))
                 : Optional.empty();

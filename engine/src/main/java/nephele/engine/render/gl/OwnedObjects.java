@@ -2,6 +2,7 @@ package nephele.engine.render.gl;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /** Objects that end together, the last first; shared ones stay while someone else holds them. Closing twice is harmless. */
@@ -30,12 +31,18 @@ public final class OwnedObjects implements GlObject {
      * @param madeFrom an immutable value from which the object follows
      */
     public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
-        return own(gl.shared().share(kind, madeFrom, make, GlObject::close)).get();
+        return hold(kind, madeFrom, make, GlObject::close);
     }
 
     /** Shares a value that needs no closing: derived once for as long as any holder in the context uses it. */
     public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
-        return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
+        return hold(kind, madeFrom, make, value -> {});
+    }
+
+    private <T> T hold(Class<T> kind, Object madeFrom, Supplier<T> make, Consumer<T> close) {
+        T object = gl.shared().hold(kind, madeFrom, make, close);
+        own(() -> gl.shared().letGo(kind, madeFrom));
+        return object;
     }
 
     /** Returns a value that stays for other levels of the context; see {@link SharedObjects#lasting}. */

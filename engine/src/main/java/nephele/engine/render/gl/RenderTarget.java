@@ -252,7 +252,7 @@ public final class RenderTarget implements GlObject {
     }
 
     /** Binds, and sets every colour to the given one, every depth to the farthest and every stencil to 0. */
-    public void clear(float red, float green, float blue) {
+    public void clear(double red, double green, double blue) {
         gl.state().noScissor();
         clearWithinScissor(red, green, blue);
     }
@@ -264,8 +264,8 @@ public final class RenderTarget implements GlObject {
     }
 
     /** Clears as {@link #clear} does, within the scissor. */
-    public void clearWithinScissor(float red, float green, float blue) {
-        clearWithinScissor(red, green, blue, 1);
+    public void clearWithinScissor(double red, double green, double blue) {
+        clearWithinScissor((float) red, (float) green, (float) blue, 1);
     }
 
     /** Clears as {@link #clearTransparent} does, within the scissor. */

@@ -46,36 +46,12 @@ public final class SharedObjects {
     }
 
     /**
-     * One holder's share in an object.
-     *
-     * @param <T> the kind of object
-     */
-    public final class Share<T> implements GlObject {
-        private final Key key;
-        private final T object;
-
-        private Share(Key key, T object) {
-            this.key = key;
-            this.object = object;
-        }
-
-        public T get() {
-            return object;
-        }
-
-        @Override
-        public void close() {
-            letGo(key);
-        }
-    }
-
-    /**
-     * Takes a share.
+     * Returns an object that is held until {@link #letGo} has been called as often as this.
      *
      * @param madeFrom equal values share an object of the same kind
-     * @param make called if no share exists
+     * @param make called if nobody holds it
      */
-    public <T> Share<T> share(Class<T> kind, Object madeFrom, Supplier<T> make, Consumer<T> close) {
+    public <T> T hold(Class<T> kind, Object madeFrom, Supplier<T> make, Consumer<T> close) {
         Key key = new Key(kind, madeFrom);
         if (!held.containsKey(key)) {
             T made = make.get();
@@ -83,11 +59,22 @@ public final class SharedObjects {
         }
         Held known = held.get(key);
         known.holders++;
-        return new Share<>(key, kind.cast(known.object));
+        return kind.cast(known.object);
+    }
+
+    /** Ends one hold of an object; the last one closes it. */
+    public void letGo(Class<?> kind, Object madeFrom) {
+        Key key = new Key(kind, madeFrom);
+        Held known = held.get(key);
+        known.holders--;
+        if (known.holders == 0) {
+            held.remove(key);
+            known.close.run();
+        }
     }
 
     /**
-     * Returns a value that is derived again only if {@link #MOST_LASTING} others have been used since. Unlike a share it stays
+     * Returns a value that is derived again only if {@link #MOST_LASTING} others have been used since. Unlike a held one it stays
      * for the next level when no renderer uses it.
      *
      * @param madeFrom equal values give the same object of the same kind; small, because it is kept
@@ -112,14 +99,5 @@ public final class SharedObjects {
                 .filter(entry -> entry.getKey().kind() == kind)
                 .map(entry -> kind.cast(entry.getValue().object))
                 .toList();
-    }
-
-    private void letGo(Key key) {
-        Held known = held.get(key);
-        known.holders--;
-        if (known.holders == 0) {
-            held.remove(key);
-            known.close.run();
-        }
     }
 }

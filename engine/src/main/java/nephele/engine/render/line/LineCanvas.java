@@ -6,6 +6,8 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
+import org.joml.Vector3d;
 import org.joml.Vector4d;
 
 /** Collects lines, polygons and squares of one picture as triangles; fill it before each draw. */
@@ -42,7 +44,7 @@ public final class LineCanvas {
             return length;
         }
 
-        private void add(double[] xyz, LineColour colour, double across, double halfWidth) {
+        private void add(double[] xyz, DisplayColour colour, double across, double halfWidth) {
             if (length == floats.length) {
                 floats = Arrays.copyOf(floats, 2 * length);
             }
@@ -62,14 +64,6 @@ public final class LineCanvas {
         }
     }
 
-    /** A point of the picture in pixels from the lower left corner, with its depth. */
-    private record Spot(double x, double y, double depth) {
-        Spot towards(Spot other, double share) {
-            return new Spot(
-                    x + share * (other.x - x), y + share * (other.y - y), depth + share * (other.depth - depth));
-        }
-    }
-
     /** Empties the canvas. */
     public void begin(LineProjection of) {
         projection = of;
@@ -82,7 +76,7 @@ public final class LineCanvas {
     }
 
     /** Adds a line between two points of the world. */
-    public void line(Vec3 from, Vec3 to, LineColour colour, double widthPixels, LineLayer layer) {
+    public void line(Vec3 from, Vec3 to, DisplayColour colour, double widthPixels, LineLayer layer) {
         Vector4d a = projection.clip(from);
         Vector4d b = projection.clip(to);
         double beforeA = a.z + a.w;
@@ -92,39 +86,39 @@ public final class LineCanvas {
         }
         Vector4d start = beforeA < 0 ? between(a, b, beforeA / (beforeA - beforeB)) : a;
         Vector4d end = beforeB < 0 ? between(a, b, beforeA / (beforeA - beforeB)) : b;
-        line(spot(start), spot(end), colour, widthPixels, layer);
+        line(pixel(start), pixel(end), colour, widthPixels, layer);
     }
 
     /**
      * Adds a line between two places of the picture, in pixels from the upper left corner. Pixel centres are at halves.
      */
-    public void screenLine(double[] fromXy, double[] toXy, LineColour colour, double widthPixels) {
-        Spot from = new Spot(fromXy[0], projection.height() - fromXy[1], 0);
-        Spot to = new Spot(toXy[0], projection.height() - toXy[1], 0);
+    public void screenLine(double[] fromXy, double[] toXy, DisplayColour colour, double widthPixels) {
+        Vector3d from = new Vector3d(fromXy[0], projection.height() - fromXy[1], 0);
+        Vector3d to = new Vector3d(toXy[0], projection.height() - toXy[1], 0);
         line(from, to, colour, widthPixels, LineLayer.OVER_ALL);
     }
 
     /** Adds a filled convex polygon of the world; its corners are in order around it. */
-    public void polygon(List<Vec3> corners, LineColour colour, LineLayer layer) {
+    public void polygon(List<Vec3> corners, DisplayColour colour, LineLayer layer) {
         List<Vector4d> visible = inFront(corners);
         Vertices vertices = layers.get(layer);
         for (int i = 2; i < visible.size(); i++) {
             for (Vector4d corner : List.of(visible.get(0), visible.get(i - 1), visible.get(i))) {
-                vertices.add(scaled(spot(corner)), colour, FILLED[0], FILLED[1]);
+                vertices.add(scaled(pixel(corner)), colour, FILLED[0], FILLED[1]);
             }
         }
     }
 
     /** Adds a filled square around a point of the world, over everything; nothing if the point is behind the eye. */
-    public void square(Vec3 at, double sizePixels, LineColour colour) {
+    public void square(Vec3 at, double sizePixels, DisplayColour colour) {
         Vector4d clip = projection.clip(at);
         if (clip.z + clip.w < 0) {
             return;
         }
-        Spot middle = spot(clip);
+        Vector3d middle = pixel(clip);
         double half = sizePixels / 2;
-        Spot left = new Spot(middle.x - half, middle.y, middle.depth);
-        Spot right = new Spot(middle.x + half, middle.y, middle.depth);
+        Vector3d left = new Vector3d(middle.x - half, middle.y, middle.z);
+        Vector3d right = new Vector3d(middle.x + half, middle.y, middle.z);
         quad(left, right, colour, new double[] {half, 1e3}, LineLayer.OVER_ALL);
     }
 
@@ -149,58 +143,59 @@ public final class LineCanvas {
         return clipped;
     }
 
-    private static Vector4d between(Vector4d a, Vector4d b, double share) {
-        return new Vector4d(b).sub(a).mul(share).add(a);
+    private static Vector4d between(Vector4d a, Vector4d b, double fraction) {
+        return new Vector4d(b).sub(a).mul(fraction).add(a);
     }
 
-    private Spot spot(Vector4d clip) {
-        return new Spot(projection.pixelX(clip), projection.pixelY(clip), projection.depth(clip));
+    /** Returns a point of the picture in pixels from the lower left corner, with its depth. */
+    private Vector3d pixel(Vector4d clip) {
+        return new Vector3d(projection.pixelX(clip), projection.pixelY(clip), projection.depth(clip));
     }
 
-    private void line(Spot from, Spot to, LineColour colour, double widthPixels, LineLayer layer) {
-        double[] shares = insidePicture(from, to);
+    private void line(Vector3d from, Vector3d to, DisplayColour colour, double widthPixels, LineLayer layer) {
+        double[] ends = insidePicture(from, to);
         double length = Math.hypot(to.x - from.x, to.y - from.y);
-        if (shares[0] > shares[1] || !(length > 1e-9)) {
+        if (ends[0] > ends[1] || !(length > 1e-9)) {
             return;
         }
         double half = widthPixels / 2;
         double cap = half / length;
-        Spot start = from.towards(to, shares[0] - cap);
-        Spot end = from.towards(to, shares[1] + cap);
+        Vector3d start = from.lerp(to, ends[0] - cap, new Vector3d());
+        Vector3d end = from.lerp(to, ends[1] + cap, new Vector3d());
         quad(start, end, colour, new double[] {half + 0.5, half}, layer);
     }
 
-    /** Returns the shares at which a line enters and leaves the picture and its margin (Liang and Barsky 1984). */
-    private double[] insidePicture(Spot from, Spot to) {
-        double[] shares = {0, 1};
-        limit(shares, from.x, to.x - from.x, projection.width());
-        limit(shares, from.y, to.y - from.y, projection.height());
-        return shares;
+    /** Returns the fractions at which a line enters and leaves the picture and its margin (Liang and Barsky 1984). */
+    private double[] insidePicture(Vector3d from, Vector3d to) {
+        double[] ends = {0, 1};
+        limit(ends, from.x, to.x - from.x, projection.width());
+        limit(ends, from.y, to.y - from.y, projection.height());
+        return ends;
     }
 
-    private static void limit(double[] shares, double from, double change, double size) {
+    private static void limit(double[] ends, double from, double change, double size) {
         double toLeast = -MARGIN_PIXELS - from;
         double toMost = size + MARGIN_PIXELS - from;
         if (change == 0) {
-            shares[1] = toLeast > 0 || toMost < 0 ? -1 : shares[1];
+            ends[1] = toLeast > 0 || toMost < 0 ? -1 : ends[1];
             return;
         }
         double entry = Math.min(toLeast / change, toMost / change);
         double exit = Math.max(toLeast / change, toMost / change);
-        shares[0] = Math.max(shares[0], entry);
-        shares[1] = Math.min(shares[1], exit);
+        ends[0] = Math.max(ends[0], entry);
+        ends[1] = Math.min(ends[1], exit);
     }
 
     /** @param halves half the drawn width, half the width that is opaque */
-    private void quad(Spot from, Spot to, LineColour colour, double[] halves, LineLayer layer) {
+    private void quad(Vector3d from, Vector3d to, DisplayColour colour, double[] halves, LineLayer layer) {
         double length = Math.hypot(to.x - from.x, to.y - from.y);
         double sideX = -(to.y - from.y) / length * halves[0];
         double sideY = (to.x - from.x) / length * halves[0];
         double[][] corners = {
-            scaled(new Spot(from.x + sideX, from.y + sideY, from.depth)),
-            scaled(new Spot(from.x - sideX, from.y - sideY, from.depth)),
-            scaled(new Spot(to.x - sideX, to.y - sideY, to.depth)),
-            scaled(new Spot(to.x + sideX, to.y + sideY, to.depth))
+            scaled(new Vector3d(from.x + sideX, from.y + sideY, from.z)),
+            scaled(new Vector3d(from.x - sideX, from.y - sideY, from.z)),
+            scaled(new Vector3d(to.x - sideX, to.y - sideY, to.z)),
+            scaled(new Vector3d(to.x + sideX, to.y + sideY, to.z))
         };
         Vertices vertices = layers.get(layer);
         for (int corner : new int[] {0, 1, 2, 2, 3, 0}) {
@@ -209,7 +204,7 @@ public final class LineCanvas {
         }
     }
 
-    private double[] scaled(Spot spot) {
-        return new double[] {2 * spot.x / projection.width() - 1, 2 * spot.y / projection.height() - 1, spot.depth};
+    private double[] scaled(Vector3d pixel) {
+        return new double[] {2 * pixel.x / projection.width() - 1, 2 * pixel.y / projection.height() - 1, pixel.z};
     }
 }

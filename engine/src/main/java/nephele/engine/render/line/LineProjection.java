@@ -9,7 +9,7 @@ import org.joml.Vector4d;
 /** The projection of world points to a picture, in double precision and relative to the eye; immutable. */
 public final class LineProjection {
     /** Lines on a surface are drawn this share of their distance in front of it. */
-    private static final double NEARER_SHARE = 1.5e-3;
+    private static final double NEARER_FRACTION = 1.5e-3;
 
     private final Vec3 eye;
     private final Matrix4d clipFromRelative;
@@ -61,7 +61,7 @@ public final class LineProjection {
 
     /** Returns depth from −1 to 1, slightly nearer than the point, so that lines on a surface are visible. */
     double depth(Vector4d clip) {
-        double nearer = clip.z + clipFromRelative.m32() * NEARER_SHARE / (1 - NEARER_SHARE);
+        double nearer = clip.z + clipFromRelative.m32() * NEARER_FRACTION / (1 - NEARER_FRACTION);
         return Math.max(-1, Math.min(1, nearer / clip.w));
     }
 
@@ -83,6 +83,6 @@ public final class LineProjection {
     /** Returns the matrix from directions relative to the eye to clip space, with depth as {@link #depth} has it. */
     float[] matrix() {
         Matrix4d nearer = new Matrix4d(clipFromRelative);
-        return nearer.m32(nearer.m32() / (1 - NEARER_SHARE)).get(new float[16]);
+        return nearer.m32(nearer.m32() / (1 - NEARER_FRACTION)).get(new float[16]);
     }
 }

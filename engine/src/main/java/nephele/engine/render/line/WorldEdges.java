@@ -2,6 +2,7 @@ package nephele.engine.render.line;
 
 import java.util.Map;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -39,7 +40,7 @@ public final class WorldEdges implements AutoCloseable {
     }
 
     /** Draws over a picture, whose depth may hide what is behind its surfaces. */
-    public void draw(LineProjection projection, LineColour colour, LineLayer layer, RenderTarget picture) {
+    public void draw(LineProjection projection, DisplayColour colour, LineLayer layer, RenderTarget picture) {
         if (lines == null) {
             return;
         }

@@ -91,11 +91,11 @@ public final class AerialPerspective implements GlObject {
 
     /** Sets the air of the draws in a view. */
     private void setView(View view) {
-        SunAndMoonTables shown =
+        SunAndMoonTables near =
                 byHeight.near(view.eyeY(), known -> known.isReady(lights), known -> known.prepare(lights));
-        shown.show(lights);
-        shown.bind(TextureUnit.AIR);
-        context.resources().uniforms().air(shown.heightMetres(), lights);
+        near.show(lights);
+        near.bind(TextureUnit.AIR);
+        context.resources().uniforms().air(near.heightMetres(), lights);
     }
 
     @Override

@@ -97,13 +97,13 @@ public final class AmbientLight {
 
     /** Returns the light of the sky under clouds, as the middle of the level sees it. */
     private static SkyIrradiance under(CloudInterval clouds, Environment now, SkyIrradiance clear) {
-        double ground = clouds.groundShare();
+        double ground = clouds.groundFraction();
         OutsideOfCloud around = around(now, clear, ground);
         SkyThroughClouds sky = clouds.from().sky();
         return SkyIrradiance.of(
                 (height, x, y, z) -> sky.from(
                         clouds.to().sky(),
-                        clouds.share(),
+                        clouds.fraction(),
                         clear.radiance(x, y, z).mul(y < 0 ? ground : 1),
                         around,
                         new Vector3d(x, y, z)),

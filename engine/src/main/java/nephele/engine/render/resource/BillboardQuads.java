@@ -41,7 +41,7 @@ public final class BillboardQuads implements GlObject {
 
     private final FloatBuffer groupValues;
     private final boolean moves;
-    private double shown = Double.NaN;
+    private double uploadedSeconds = Double.NaN;
     private final BufferTexture texels;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] arrays;
@@ -67,10 +67,10 @@ public final class BillboardQuads implements GlObject {
             GlContext gl, PlantedBillboards planted, StaticShapes statics, AssetSource assets, BillboardSource source) {
         anchor = source.anchor();
         List<PlantedBillboards.Group> drawn = planted.groups().stream()
-                .filter(group -> group.said().blended() == (source.kind() == BillboardSource.Kind.BLENDED))
+                .filter(group -> group.authored().blended() == (source.kind() == BillboardSource.Kind.BLENDED))
                 .toList();
         List<Billboards> authored =
-                drawn.stream().map(PlantedBillboards.Group::said).toList();
+                drawn.stream().map(PlantedBillboards.Group::authored).toList();
         sprites = new BillboardSprites(gl, authored, assets, source);
         groups = authored;
         moves = groups.stream().anyMatch(Billboards::moves);
@@ -114,11 +114,11 @@ public final class BillboardQuads implements GlObject {
         List<Image> images = new ArrayList<>();
         for (int number = 0; number < drawn.size(); number++) {
             PlantedBillboards.Group group = drawn.get(number);
-            int array = sprites.place(group.said()).array();
+            int array = sprites.place(group.authored()).array();
             for (int i = 0; i < group.feet().size(); i++) {
                 double turn = group.turn(i);
                 images.add(new Image(group, number, i, turn, array));
-                if (group.said().facing() == Billboards.Facing.CROSSED) {
+                if (group.authored().facing() == Billboards.Facing.CROSSED) {
                     images.add(new Image(group, number, i, turn + StrictMath.PI / 2, array));
                 }
             }
@@ -148,14 +148,14 @@ public final class BillboardQuads implements GlObject {
     private void put(Image image, BillboardSky sky, int at, float[] values) {
         Vec3 foot = image.foot().minus(anchor);
         double scale = image.group().scale(image.index());
-        double half = image.group().said().sizeMetres().height() * scale / 2;
+        double half = image.group().authored().sizeMetres().height() * scale / 2;
         int to = FLOATS * at;
         foot.put(values, to, image.number());
         values[to + 4] = (float) scale;
         values[to + 5] = (float) image.group().phase(image.index());
         values[to + 6] = sky.seenFrom(image.foot().plus(new Vec3(0, half, 0)));
         values[to + 7] = (float) image.turn();
-        double width = image.group().said().sizeMetres().width() * scale;
+        double width = image.group().authored().sizeMetres().width() * scale;
         foot.plus(new Vec3(0, half, 0)).put(balls, BALL * at, (float) Math.max(half, width / 2));
     }
 
@@ -175,11 +175,11 @@ public final class BillboardQuads implements GlObject {
     }
 
     /** Collects the clusters that may be visible, by arrays of pictures, then by place. */
-    public void findSeen(Frustum frustum, List<Cluster> seen) {
-        seen.clear();
+    public void findVisible(Frustum frustum, List<Cluster> visible) {
+        visible.clear();
         for (int i = 0; i < clusters.size(); i++) {
             if (frustum.mayIntersect(clusters.get(i).bounds())) {
-                seen.add(clusters.get(i));
+                visible.add(clusters.get(i));
             }
         }
     }
@@ -209,10 +209,10 @@ public final class BillboardQuads implements GlObject {
 
     /** Moves them to a time. */
     public void follow(double seconds) {
-        if (seconds == shown || !moves && !Double.isNaN(shown)) {
+        if (seconds == uploadedSeconds || !moves && !Double.isNaN(uploadedSeconds)) {
             return;
         }
-        shown = seconds;
+        uploadedSeconds = seconds;
         groupValues.clear();
         for (Billboards group : groups) {
             double wind = group.windMetresPerSecond();

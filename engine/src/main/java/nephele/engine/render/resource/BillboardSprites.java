@@ -32,18 +32,16 @@ final class BillboardSprites implements GlObject {
         }
     }
 
-    private record Size(int width, int height) {}
-
     /** Where a group's first frame is. */
     record Place(int array, int layer) {}
 
     BillboardSprites(GlContext gl, List<Billboards> groups, AssetSource assets, BillboardSource source) {
-        Map<Size, List<Picture>> layers = new HashMap<>();
-        List<Size> sizes = new ArrayList<>();
+        Map<Texture.Extent, List<Picture>> layers = new HashMap<>();
+        List<Texture.Extent> sizes = new ArrayList<>();
         for (Billboards group : groups) {
             places.computeIfAbsent(Look.of(group), look -> {
                 Sprite sprite = Sprite.of(group, assets);
-                Size size = new Size(sprite.width(), sprite.height());
+                Texture.Extent size = Texture.Extent.flat(sprite.width(), sprite.height());
                 if (!sizes.contains(size)) {
                     sizes.add(size);
                 }
@@ -72,7 +70,7 @@ final class BillboardSprites implements GlObject {
             for (int layer = 0; layer < layers.size(); layer++) {
                 Picture picture = layers.get(layer);
                 List<byte[]> levels =
-                        MipLevels.below(picture, isLinear ? ColourDecoding.SRGB : ColourDecoding.AS_STORED);
+                        ResampledPicture.mipLevels(picture, isLinear ? ColourDecoding.SRGB : ColourDecoding.AS_STORED);
                 texture.upload(layer, texels.clear().put(picture.samples()).flip());
                 double coverage = AlphaCoverage.of(width, height, picture.samples());
                 for (int level = 1; level <= levels.size(); level++) {

@@ -1,14 +1,14 @@
 package nephele.engine.render.resource;
 
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.CloudTimeline;
-import nephele.engine.cloud.drawn.CloudTimeline.Sampling;
 import nephele.engine.cloud.drawn.ShaftClouds;
 import nephele.engine.cloud.field.LoadedClouds;
 import nephele.engine.cloud.light.CloudLight;
-import nephele.engine.cloud.octave.ProceduralNoise;
+import nephele.engine.cloud.light.CloudOptics;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.placed.StaticShapes;
@@ -33,40 +33,38 @@ public final class FrameClouds implements GlObject {
     private CloudInterval now;
     private Vec3 focus = Vec3.ZERO;
 
-    /** What the clouds of a level follow from: edits of anything else leave them as they are. */
-    private record Source(
-            Identity assets,
-            Environment causes,
-            Aabb region,
-            int lightDivisor,
-            ProceduralNoise noise,
-            List<CloudTechnique> techniques) {
-        static Source of(Scene scene, Quality quality, List<CloudTechnique> techniques) {
-            return new Source(
-                    new Identity(scene.assets()),
-                    CloudTimeline.causes(scene.level().environment()),
-                    shadeRegion(scene.statics()),
-                    quality.cloudLightCell(),
-                    quality.proceduralNoise(),
-                    techniques);
-        }
-    }
-
     /** Shares the clouds of a level, each drawn by one of {@code techniques}. */
     static FrameClouds of(LoadContext context, List<CloudTechnique> techniques) {
         Quality quality = context.quality();
-        var sampling = new Sampling(quality.cloudLightCell(), quality.proceduralNoise(), optics -> context.owner()
-                .lasting(CloudLight.class, optics, () -> new CloudLight(optics)));
+        Function<CloudOptics, CloudLight> physics =
+                optics -> context.owner().lasting(CloudLight.class, optics, () -> new CloudLight(optics));
         return context.share(
                 FrameClouds.class,
-                Source.of(context.scene(), quality, techniques),
-                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), sampling));
+                madeFrom(context.scene(), quality, techniques),
+                () -> new FrameClouds(context.scene(), context.drawn().clouds().drawnBy(techniques), quality, physics));
     }
 
-    private FrameClouds(Scene scene, LoadedClouds loaded, Sampling sampling) {
+    /** Returns what the clouds of a level follow from: edits of anything else leave them as they are. */
+    private static List<?> madeFrom(Scene scene, Quality quality, List<CloudTechnique> techniques) {
+        return List.of(
+                new Identity(scene.assets()),
+                CloudTimeline.causes(scene.level().environment()),
+                shadeRegion(scene.statics()),
+                quality.cloudLightCell(),
+                quality.proceduralNoise(),
+                techniques);
+    }
+
+    private FrameClouds(Scene scene, LoadedClouds loaded, Quality quality, Function<CloudOptics, CloudLight> physics) {
         timeline = loaded.clouds().isEmpty()
                 ? null
-                : new CloudTimeline(scene.level().environment(), loaded, shadeRegion(scene.statics()), sampling);
+                : new CloudTimeline(
+                        scene.level().environment(),
+                        loaded,
+                        shadeRegion(scene.statics()),
+                        quality.cloudLightCell(),
+                        quality.proceduralNoise(),
+                        physics);
     }
 
     /** Returns the region in which surfaces can be in the shade of clouds; beyond it, its border's shade holds. */

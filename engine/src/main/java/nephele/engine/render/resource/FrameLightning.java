@@ -24,7 +24,7 @@ public final class FrameLightning implements GlObject {
     private static final double MIDDLE = 0.4;
 
     /** Light that comes from lit clouds on all sides, as a share of that of the bolt. */
-    private static final double GLOW_SHARE = 0.45;
+    private static final double GLOW_FRACTION = 0.45;
 
     private final LevelLightning lightning;
     private final BufferTexture points;
@@ -57,9 +57,9 @@ public final class FrameLightning implements GlObject {
         Bolt bolt = lightning.bolt();
         staging.clear();
         for (int i = 0; i < bolt.points(); i++) {
-            float share = bolt.get(i, 3);
+            float fraction = bolt.get(i, 3);
             staging.put(bolt.get(i, 0)).put(bolt.get(i, 1)).put(bolt.get(i, 2));
-            staging.put(bolt.begins(i) ? -share : share);
+            staging.put(bolt.begins(i) ? -fraction : fraction);
         }
         points.upload(staging.flip());
     }
@@ -98,7 +98,7 @@ public final class FrameLightning implements GlObject {
     public Vec3 glow(Vec3 place) {
         Vec3 away = place.minus(middle());
         double square = away.x() * away.x() + away.y() * away.y() + away.z() * away.z();
-        return radiantIntensity().scaled(GLOW_SHARE / (square + softeningSquare()));
+        return radiantIntensity().scaled(GLOW_FRACTION / (square + softeningSquare()));
     }
 
     @Override

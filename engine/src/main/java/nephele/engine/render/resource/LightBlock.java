@@ -77,9 +77,9 @@ public final class LightBlock implements GlObject {
         }
     }
 
-    /** @param shares of ambient, diffuse and specular light that are shown, 0 or 1 */
-    public void parts(Vec3 shares) {
-        shares.put(values, PARTS, 0);
+    /** @param weights of ambient, diffuse and specular light that are shown, 0 or 1 */
+    public void parts(Vec3 weights) {
+        weights.put(values, PARTS, 0);
     }
 
     /** @param anchor the origin of positions in shaders */

@@ -3,11 +3,16 @@ package nephele.engine.render.resource;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Material;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.NormalMaps;
+import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
 
 /** The parameters of the materials in uniform blocks, in the layout of {@code materials.glsl}. */
@@ -42,8 +47,18 @@ public final class MaterialBlocks implements GlObject {
         values[at + 10] = (float) m.textureMetres();
     }
 
-    public int materialsPerBlock() {
-        return materialsPerBlock;
+    /** Adds the defines of the shader code that reads these materials, for surfaces of one kind. */
+    public Defines addTo(Defines defines, SolidBatch.Kind kind, Quality quality) {
+        String diffuseOrNot = quality.brdf() == ReflectionModel.LAMBERT ? "ALL_DIFFUSE" : "METALLIC_ROUGHNESS";
+        return defines.with("MATERIAL_COUNT", materialsPerBlock)
+                .with(kind.lambert() ? "LAMBERT" : diffuseOrNot)
+                .withIf(kind.isTextured(), "TEXTURED")
+                .withIf(readsNormalMap(kind, quality), "NORMAL_MAP");
+    }
+
+    /** Returns true if surfaces of a kind are drawn with a normal map. */
+    public static boolean readsNormalMap(SolidBatch.Kind kind, Quality quality) {
+        return kind.isNormalMapped() && quality.normalMaps() == NormalMaps.ON;
     }
 
     public void bind(int block) {

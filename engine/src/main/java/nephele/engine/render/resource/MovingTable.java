@@ -32,7 +32,7 @@ public final class MovingTable {
     private CompletableFuture<Known> coming;
     private CompletableFuture<Known> first;
     private double stepSeconds = LEAST_SECONDS;
-    private float shownShare = Float.NaN;
+    private float uploadedWeight = Float.NaN;
 
     private record Known(double sine, float[] texels, double seconds) {}
 
@@ -58,7 +58,7 @@ public final class MovingTable {
             before = after;
             coming = null;
             first = null;
-            shownShare = Float.NaN;
+            uploadedWeight = Float.NaN;
             upload(1);
         }
         return after != null && (isMoving ? !isBeyond(sine, READY_SINE) : before == after && after.sine == sine);
@@ -78,7 +78,7 @@ public final class MovingTable {
             coming = null;
             after = known(sine);
             before = after;
-            shownShare = Float.NaN;
+            uploadedWeight = Float.NaN;
             upload(1);
         }
     }
@@ -92,20 +92,20 @@ public final class MovingTable {
         if (after == null || isBeyond(sine, CUT_SINE)) {
             show(sine);
         }
-        double share = share(sine);
-        if (coming != null && share >= 1 && coming.isDone()) {
+        double weight = weight(sine);
+        if (coming != null && weight >= 1 && coming.isDone()) {
             before = after;
             after = coming.join();
             coming = null;
             stepSeconds = Math.max(LEAST_SECONDS, MARGIN * after.seconds);
-            shownShare = Float.NaN;
-            share = share(sine);
+            uploadedWeight = Float.NaN;
+            weight = weight(sine);
         }
         if (coming == null) {
-            double next = sineAfter.applyAsDouble(share < 1 ? 2 * stepSeconds : stepSeconds);
+            double next = sineAfter.applyAsDouble(weight < 1 ? 2 * stepSeconds : stepSeconds);
             coming = next == after.sine ? null : CompletableFuture.supplyAsync(() -> known(next), threads);
         }
-        upload((float) share);
+        upload((float) weight);
     }
 
     private Known known(double sine) {
@@ -119,22 +119,22 @@ public final class MovingTable {
     }
 
     /** Returns how far the light has come from one table to the other, 0–1. */
-    private double share(double sine) {
+    private double weight(double sine) {
         double range = after.sine - before.sine;
         return range == 0 ? 1 : Math.max(0, Math.min(1, (sine - before.sine) / range));
     }
 
-    private void upload(float share) {
-        if (share == shownShare) {
+    private void upload(float weight) {
+        if (weight == uploadedWeight) {
             return;
         }
-        shownShare = share;
+        uploadedWeight = weight;
         int count = after.texels.length / layers;
         var bytes = MemoryUtil.memAlloc(Float.BYTES * count);
         for (int layer = 0; layer < layers; layer++) {
             FloatBuffer texels = bytes.asFloatBuffer();
             for (int i = layer * count; i < (layer + 1) * count; i++) {
-                texels.put(before.texels[i] + share * (after.texels[i] - before.texels[i]));
+                texels.put(before.texels[i] + weight * (after.texels[i] - before.texels[i]));
             }
             texture.upload(firstLayer + layer, bytes);
         }

@@ -50,8 +50,9 @@ public final class OpeningMesh implements GlObject {
         for (int i = 0; i < tree.terminals().size(); i++) {
             ViewNode node = tree.terminals().get(i);
             ViewNode before = history.of(node);
-            View shown = before == null ? node.parent().view() : before.parent().view();
-            reprojection.between(node.parent().view(), shown);
+            View pictured =
+                    before == null ? node.parent().view() : before.parent().view();
+            reprojection.between(node.parent().view(), pictured);
             put(node);
         }
         if (floats > 0) {

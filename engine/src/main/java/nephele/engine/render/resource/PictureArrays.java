@@ -41,16 +41,12 @@ public record PictureArrays(List<Texture> textures) {
     public static final SharedResource<Function<String, Picture>> DECODED =
             SharedResource.of("decoded pictures", PictureArrays::decoder);
 
-    private record MadeFrom(Identity array, PixelFormat format, int anisotropy) {}
-
-    private record Enlarged(List<Identity> pictures, PixelFormat format, int anisotropy) {}
-
     private static PictureArrays of(LoadContext context, List<PictureArray> arrays, PixelFormat format) {
         int anisotropy = anisotropy(context);
         return new PictureArrays(arrays.stream()
                 .map(array -> context.share(
                         Texture.class,
-                        new MadeFrom(new Identity(array), format, anisotropy),
+                        List.of(new Identity(array), format, anisotropy),
                         () -> texture(context.gl(), array, format, anisotropy)))
                 .toList());
     }
@@ -71,14 +67,15 @@ public record PictureArrays(List<Texture> textures) {
         int anisotropy = anisotropy(context);
         return context.share(
                 Texture.class,
-                new Enlarged(pictures.stream().map(Identity::new).toList(), format, anisotropy),
+                List.of(pictures.stream().map(Identity::new).toList(), format, anisotropy),
                 () -> texture(
                         context.gl(),
                         new PictureArray(
                                 width,
                                 height,
                                 pictures.parallelStream()
-                                        .map(picture -> RepeatedScale.of(picture, width, height, decoding(format)))
+                                        .map(picture ->
+                                                ResampledPicture.enlarged(picture, width, height, decoding(format)))
                                         .toList()),
                         format,
                         anisotropy));
@@ -123,7 +120,7 @@ public record PictureArrays(List<Texture> textures) {
                 Sampling.MIPMAPPED_REPEAT);
         ColourDecoding decoding = decoding(format);
         List<List<byte[]>> smaller = array.layers().parallelStream()
-                .map(picture -> MipLevels.below(picture, decoding))
+                .map(picture -> ResampledPicture.mipLevels(picture, decoding))
                 .toList();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * array.width() * array.height());
         for (int layer = 0; layer < array.layers().size(); layer++) {

@@ -1,9 +1,12 @@
 package nephele.engine.render.resource;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import nephele.engine.asset.Picture;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
@@ -16,24 +19,51 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.OwnedObjects;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Identity;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.SceneMaterials;
+import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.impostor.ImpostorAtlas;
 import nephele.engine.scene.impostor.KindShape;
+import nephele.engine.scene.impostor.KindSky;
+import nephele.engine.scene.light.LightRequirements;
+import org.lwjgl.system.MemoryUtil;
 
 /** The models of a level that are drawn as impostors, on the GPU. Nothing of them changes from frame to frame. */
 public final class PlantedScene implements GlObject {
-    private static final int FLOATS = 8;
+    private static final int KIND_FLOATS = 16;
+    private static final int PLANT_FLOATS = 8;
     private static final int PER_CLUSTER = 64;
 
+    private final OwnedObjects owned;
     private final Vec3 anchor;
-    private final PlantedKinds kinds;
-    private final BufferTexture texels;
+    private final List<KindShape> shapes = new ArrayList<>();
+    private final List<KindMesh> meshes = new ArrayList<>();
+    /** The atlases of kinds, a layer each. */
+    private final Texture colours;
+
+    private final Texture normals;
+    private final BufferTexture kindNumbers;
+    private final BufferTexture plantNumbers;
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] kindOf;
     /** The middles, three numbers each, from the anchor. */
     private final float[] middles;
     /** Diameters, metres. */
     private final float[] sizes;
+
+    /** What is derived from a kind's mesh without its material. */
+    private record Form(KindShape shape, KindSky sky) {
+        static Form of(PlantedModels.Kind kind) {
+            KindShape shape = KindShape.of(kind);
+            return new Form(shape, KindSky.of(shape));
+        }
+    }
 
     /**
      * Plants from {@code first} to before {@code end}.
@@ -42,43 +72,120 @@ public final class PlantedScene implements GlObject {
      */
     public record Cluster(int first, int end, Aabb bounds, double least, double most) {}
 
-    public PlantedScene(GlContext gl, Scene scene, PlantSource source) {
-        anchor = source.anchor();
+    private PlantedScene(LoadContext context, Vec3 anchor, int texels) {
+        this.anchor = anchor;
+        GlContext gl = context.gl();
+        Scene scene = context.scene();
+        owned = new OwnedObjects(gl);
         PlantedModels planted = PlantedModels.of(scene.level(), scene.statics(), scene.assets());
-        kinds = new PlantedKinds(gl, planted.kinds(), scene.materials(), source);
+        int side = ImpostorAtlas.SIDE * texels;
+        Texture.Extent extent =
+                new Texture.Extent(side, side, Math.max(1, planted.kinds().size()));
+        PixelFormat format = context.output().pictures();
+        colours = owned.own(
+                new Texture(gl, "impostor colours", Texture.Shape.ARRAY, format, extent, Sampling.MIPMAPPED_CLAMP));
+        normals = owned.own(new Texture(
+                gl, "impostor shapes", Texture.Shape.ARRAY, PixelFormat.RGBA8, extent, Sampling.MIPMAPPED_CLAMP));
+        float[] kinds = new float[KIND_FLOATS * Math.max(1, planted.kinds().size())];
+        for (PlantedModels.Kind kind : planted.kinds()) {
+            add(kind, context, texels, kinds);
+        }
+        kindNumbers = owned.own(BufferTexture.ofFloats(gl, "plant kinds", kinds));
         int count = planted.plants().size();
         kindOf = new int[count];
         middles = new float[3 * count];
         sizes = new float[count];
-        float[] values = new float[FLOATS * Math.max(1, count)];
-        BillboardSky sky = new BillboardSky(surroundings(scene.statics()), source.isSkyLit(), count);
+        float[] plants = new float[PLANT_FLOATS * Math.max(1, count)];
+        boolean isSkyLit = LightRequirements.skyShines(scene.level());
+        BillboardSky sky = new BillboardSky(surroundings(scene.statics()), isSkyLit, count);
         int at = 0;
         for (List<Plant> cluster : clustered(planted.plants())) {
             int first = at;
             for (Plant plant : cluster) {
-                put(plant, sky, at, (at - first + 0.5) / cluster.size(), values);
+                put(plant, sky, at, (at - first + 0.5) / cluster.size(), plants);
                 at++;
             }
             clusters.add(cluster(first, at));
         }
-        texels = BufferTexture.ofFloats(gl, "plants", values);
+        plantNumbers = owned.own(BufferTexture.ofFloats(gl, "plants", plants));
     }
 
     /** Shares the level's models that are drawn as impostors. */
     public static PlantedScene of(LoadContext context) {
-        PlantSource source = PlantSource.of(
-                context.scene(),
-                context.get(SurfaceLight.RESOURCE).anchor(),
+        Scene scene = context.scene();
+        Vec3 anchor = context.get(SurfaceLight.RESOURCE).anchor();
+        int texels = ImpostorAtlas.texelsFor(context.quality().impostorPixels());
+        List<Object> madeFrom = List.of(
+                new Identity(scene.statics()),
+                new Identity(scene.materials()),
+                new Identity(scene.assets()),
+                LightRequirements.skyShines(scene.level()),
+                anchor,
                 context.output().pictures(),
-                context.output().decoding(),
-                context.quality().impostorPixels());
-        return context.share(PlantedScene.class, source, () -> new PlantedScene(context.gl(), context.scene(), source));
+                texels);
+        return context.share(PlantedScene.class, madeFrom, () -> new PlantedScene(context, anchor, texels));
+    }
+
+    /** Adds a kind with its mesh, its atlases and its numbers. @param texels along a side of a view of an atlas */
+    private void add(PlantedModels.Kind kind, LoadContext context, int texels, float[] values) {
+        SceneMaterials materials = context.scene().materials();
+        ColourDecoding decoding = context.output().decoding();
+        Form form = owned.shareValue(
+                Form.class, List.of(new Identity(kind.mesh()), kind.plantFromModel()), () -> Form.of(kind));
+        Surface surface = materials.surfaces().get(materials.indexOf(kind.material()));
+        Picture picture = picture(surface, materials);
+        ImpostorAtlas atlas = owned.shareValue(
+                ImpostorAtlas.class,
+                List.of(new Identity(form), surface.material(), new Identity(picture), decoding, texels),
+                () -> ImpostorAtlas.of(form.shape(), surface.material(), picture, decoding, texels));
+        upload(meshes.size(), atlas);
+        put(form, surface.material().emission(), KIND_FLOATS * meshes.size(), values);
+        shapes.add(form.shape());
+        meshes.add(owned.own(new KindMesh(context.gl(), form.shape(), form.sky(), surface)));
+    }
+
+    private static Picture picture(Surface surface, SceneMaterials materials) {
+        int array = surface.colour().array();
+        return array < 0
+                ? null
+                : materials
+                        .colourArrays()
+                        .get(array)
+                        .layers()
+                        .get(surface.colour().layer());
+    }
+
+    private static void put(Form form, Vec3 emission, int at, float[] values) {
+        KindShape shape = form.shape();
+        shape.centre().put(values, at, shape.halfWidth());
+        values[at + 4] = (float) shape.halfHeight();
+        values[at + 5] = (float) shape.radius();
+        System.arraycopy(form.sky().fit(), 0, values, at + 8, 4);
+        emission.put(values, at + 12, 0);
+    }
+
+    private void upload(int layer, ImpostorAtlas atlas) {
+        ByteBuffer texels = MemoryUtil.memAlloc(4 * atlas.side() * atlas.side());
+        try {
+            for (int level = 0; level < atlas.colours().size(); level++) {
+                colours.uploadLevel(
+                        level,
+                        layer,
+                        texels.clear().put(atlas.colours().get(level)).flip());
+                normals.uploadLevel(
+                        level,
+                        layer,
+                        texels.clear().put(atlas.shapes().get(level)).flip());
+            }
+        } finally {
+            MemoryUtil.memFree(texels);
+        }
     }
 
     /** Returns the shapes without the models that are drawn as impostors: these have their own sky. */
     private static StaticShapes surroundings(StaticShapes statics) {
         List<PlacedModel> others = statics.models().all().stream()
-                .filter(model -> !model.said().impostor())
+                .filter(model -> !model.authored().impostor())
                 .toList();
         return statics.with(new PlacedModels(others));
     }
@@ -114,7 +221,7 @@ public final class PlantedScene implements GlObject {
     }
 
     private void put(Plant plant, BillboardSky sky, int at, double rank, float[] values) {
-        KindShape shape = kinds.shape(plant.kind());
+        KindShape shape = shapes.get(plant.kind());
         double scale = plant.scale();
         Vec3 centre = shape.centre();
         double cos = Math.cos(plant.turn());
@@ -123,11 +230,11 @@ public final class PlantedScene implements GlObject {
                 .addScaled(
                         scale,
                         new Vec3(cos * centre.x() + sin * centre.z(), centre.y(), cos * centre.z() - sin * centre.x()));
-        plant.foot().minus(anchor).put(values, FLOATS * at, plant.kind());
-        values[FLOATS * at + 4] = (float) scale;
-        values[FLOATS * at + 5] = (float) plant.turn();
-        values[FLOATS * at + 6] = sky.seenFrom(middle);
-        values[FLOATS * at + 7] = (float) rank;
+        plant.foot().minus(anchor).put(values, PLANT_FLOATS * at, plant.kind());
+        values[PLANT_FLOATS * at + 4] = (float) scale;
+        values[PLANT_FLOATS * at + 5] = (float) plant.turn();
+        values[PLANT_FLOATS * at + 6] = sky.seenFrom(middle);
+        values[PLANT_FLOATS * at + 7] = (float) rank;
         Vec3 fromAnchor = middle.minus(anchor);
         middles[3 * at] = (float) fromAnchor.x();
         middles[3 * at + 1] = (float) fromAnchor.y();
@@ -176,22 +283,22 @@ public final class PlantedScene implements GlObject {
     }
 
     public List<KindMesh> meshes() {
-        return kinds.meshes();
+        return meshes;
     }
 
     /** Binds the numbers of plants and kinds. */
     public void bind() {
-        texels.bind(TextureUnit.PLANTS);
-        kinds.bindNumbers();
+        plantNumbers.bind(TextureUnit.PLANTS);
+        kindNumbers.bind(TextureUnit.PLANT_KINDS);
     }
 
     public void bindAtlases() {
-        kinds.bindAtlases();
+        colours.bind(TextureUnit.COLOURS);
+        normals.bind(TextureUnit.IMPOSTOR_SHAPES);
     }
 
     @Override
     public void close() {
-        texels.close();
-        kinds.close();
+        owned.close();
     }
 }

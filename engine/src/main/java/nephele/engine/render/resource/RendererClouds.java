@@ -8,6 +8,7 @@ import nephele.engine.cloud.drawn.TechniqueFade;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.render.frame.DrawnScene;
+import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.OwnedObjects;
@@ -17,9 +18,8 @@ import nephele.engine.render.gl.OwnedObjects;
  * they are, these change gradually from those of the replaced renderer.
  */
 public final class RendererClouds {
-    public static final SharedResource<RendererClouds> RESOURCE = SharedResource.of("clouds", RendererClouds::new)
-            .following((clouds, frame) ->
-                    clouds.current.follow(frame.frameState(), frame.view().eye()));
+    public static final SharedResource<RendererClouds> RESOURCE =
+            SharedResource.of("clouds", RendererClouds::new).following((clouds, frame) -> clouds.follow(frame));
 
     private final LoadContext context;
     private final FrameClouds current;
@@ -44,6 +44,12 @@ public final class RendererClouds {
                         .map(TechniqueFade.Stage::techniques)
                         .toList());
         current = sampledFor(drawn.techniques(), context.owner());
+    }
+
+    private void follow(FrameContext frame) {
+        if (!current.sources().isEmpty()) {
+            current.follow(frame.frameState(), frame.view().eye());
+        }
     }
 
     private static Environment causes(DrawnScene drawn) {
@@ -72,7 +78,7 @@ public final class RendererClouds {
 
     /** Returns how far the techniques have changed, 1 without a change. */
     public double changed() {
-        return fade.isComplete() ? 1 : fade.share(fade.target());
+        return fade.isComplete() ? 1 : fade.fraction(fade.target());
     }
 
     /** Lets the time of the display pass, in which techniques change. */

@@ -2,7 +2,6 @@ package nephele.engine.render.resource;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.GlContext;
@@ -14,7 +13,6 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
-import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
 
 /**
@@ -64,21 +62,6 @@ public final class SolidMesh implements GlObject {
         IndexRanges batchRanges = ranges.get(batch);
         batchRanges.set(visible.firsts(batch), visible.lengths(batch), visible.size(batch));
         (batches().get(batch).form().isModel() ? models : solids).draw(batchRanges);
-    }
-
-    /**
-     * Writes a view's eye relative to a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
-     * high x, y, z, low x, y, z.
-     */
-    public static void eyeInCell(View view, Vec3 cellOrigin, float[] highAndLow) {
-        split(view.eyeX() - cellOrigin.x(), highAndLow, 0);
-        split(view.eyeY() - cellOrigin.y(), highAndLow, 1);
-        split(view.eyeZ() - cellOrigin.z(), highAndLow, 2);
-    }
-
-    private static void split(double x, float[] highAndLow, int axis) {
-        highAndLow[axis] = (float) x;
-        highAndLow[axis + 3] = (float) (x - highAndLow[axis]);
     }
 
     @Override

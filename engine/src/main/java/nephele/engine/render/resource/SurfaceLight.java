@@ -77,7 +77,7 @@ public final class SurfaceLight {
         block = context.own(new LightBlock(gl, flash != null));
         sampling = request.quality().shadowFilter();
         parts = request.quality().lightParts();
-        block.parts(shares(parts));
+        block.parts(weights(parts));
         sky = context.get(AmbientLight.RESOURCE);
         lights = scene.lights() == null
                 ? null
@@ -96,8 +96,8 @@ public final class SurfaceLight {
         return light;
     }
 
-    private static Vec3 shares(LightParts shown) {
-        return switch (shown) {
+    private static Vec3 weights(LightParts drawn) {
+        return switch (drawn) {
             case ALL -> new Vec3(1, 1, 1);
             case AMBIENT -> new Vec3(1, 0, 0);
             case DIFFUSE -> new Vec3(0, 1, 0);
@@ -115,7 +115,7 @@ public final class SurfaceLight {
         boolean isSame = interval == null
                 || cloudsFollowed != null
                         && interval.from() == cloudsFollowed.from()
-                        && interval.share() == cloudsFollowed.share();
+                        && interval.fraction() == cloudsFollowed.fraction();
         if (now == followed && isSame) {
             followFlash();
             return;

@@ -47,12 +47,6 @@ public final class TerrainMesh implements GlObject {
     private final int level;
     private final double[] bounds = new double[6];
 
-    /** Receives the first column and row of a chunk before it is drawn. */
-    @FunctionalInterface
-    public interface ChunkStart {
-        void at(int column, int row);
-    }
-
     public TerrainMesh(GlContext gl, HeightField field) {
         this.field = field;
         level = field.blockLevel(CHUNK_CELLS);
@@ -183,14 +177,14 @@ public final class TerrainMesh implements GlObject {
         slopes.bind(TextureUnit.TERRAIN_SLOPES);
     }
 
-    /** Draws the chunks that a frustum may contain, at full detail, with the current program. */
-    public void draw(Frustum seen, ChunkStart start) {
-        int mask = seen.allPlanes();
+    /** Draws the chunks that a frustum may contain, at full detail, with the current program and its uniforms. */
+    public void draw(Frustum frustum, TerrainUniforms uniforms) {
+        int mask = frustum.allPlanes();
         for (int row = 0; row < field.blockRows(level); row++) {
             for (int column = 0; column < field.blockColumns(level); column++) {
                 field.writeBlock(level, column, row, bounds);
-                if (seen.classify(bounds, 0, mask) != Frustum.OUTSIDE) {
-                    start.at(column * CHUNK_CELLS, row * CHUNK_CELLS);
+                if (frustum.classify(bounds, 0, mask) != Frustum.OUTSIDE) {
+                    uniforms.chunk(field, column * CHUNK_CELLS, row * CHUNK_CELLS);
                     chunk.draw(0, chunkIndices);
                 }
             }

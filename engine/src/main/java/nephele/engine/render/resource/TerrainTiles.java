@@ -99,8 +99,8 @@ public final class TerrainTiles implements GlObject {
      *
      * @param scale as {@link #scale} returns
      */
-    public void select(DetailView view, double scale, Frustum seen) {
-        tiles.select(ranges(scale), view, seen);
+    public void select(DetailView view, double scale, Frustum frustum) {
+        tiles.select(ranges(scale), view, frustum);
     }
 
     private boolean isGentle(int tile) {

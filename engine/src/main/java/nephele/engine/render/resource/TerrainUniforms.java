@@ -2,7 +2,6 @@ package nephele.engine.render.resource;
 
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
-import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.gl.shader.Uniforms.WholeVector4;
 
@@ -11,7 +10,7 @@ import nephele.engine.render.gl.shader.Uniforms.WholeVector4;
  * near the eye and the same in all chunks: the higher float of a cell's length has few enough bits for its products with
  * column numbers to be exact.
  */
-public record TerrainUniforms(WholeVector4 chunk, Vector4 cellHighLow, Vector3 eyeHigh, Vector3 eyeLow) {
+public record TerrainUniforms(WholeVector4 chunk, Vector4 cellHighLow, EyeUniforms eye) {
     /** Bits of a float that are zero in the higher part of a cell's length: columns have up to 14 bits. */
     private static final int FREE_BITS = 14;
 
@@ -21,11 +20,7 @@ public record TerrainUniforms(WholeVector4 chunk, Vector4 cellHighLow, Vector3 e
         float highZ = high(field.cellZ());
         cellHighLow.set(highX, highZ, (float) (field.cellX() - highX), (float) (field.cellZ() - highZ));
         Vec3 origin = field.origin();
-        double x = eyeX - origin.x();
-        double y = eyeY - origin.y();
-        double z = eyeZ - origin.z();
-        eyeHigh.set((float) x, (float) y, (float) z);
-        eyeLow.set((float) (x - (float) x), (float) (y - (float) y), (float) (z - (float) z));
+        eye.set(eyeX - origin.x(), eyeY - origin.y(), eyeZ - origin.z());
     }
 
     /** Sets the chunk that is drawn next. */

@@ -19,4 +19,9 @@ public record DynamicGroup(
     DynamicGroup(Range[] steps, double[] flatness, SolidBatch.Kind kind) {
         this(steps, null, null, flatness, kind, 1);
     }
+
+    /** Returns true if it has these very index ranges and this kind of material. */
+    boolean has(Range[] ranges, SolidBatch.Kind material) {
+        return steps == ranges && kind.equals(material);
+    }
 }

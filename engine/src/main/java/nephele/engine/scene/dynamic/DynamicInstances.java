@@ -17,7 +17,7 @@ import org.joml.Vector3d;
  *
  * <p>An instance has {@link #FLOATS} floats: orientation x y z w; centre relative to the anchor, rounded, and its
  * material; the rounding error of the centre, and the shape's kind; half sides and half axis; two planes that clip it,
- * each a unit normal and the signed distance of the centre; the visible shares of the sky towards +x, +y, +z, and
+ * each a unit normal and the signed distance of the centre; the visible fractions of the sky towards +x, +y, +z, and
  * towards −x, −y, −z.
  */
 public final class DynamicInstances {
@@ -36,8 +36,17 @@ public final class DynamicInstances {
     private final Vec3 anchor;
     private final SkyProbes sky;
     private final float[] skyOfBodies;
-    private final float[] seen = new float[SkyProbes.VALUES];
-    private final DynamicChanges changes;
+    private final float[] openness = new float[SkyProbes.VALUES];
+    /** What the copies follow from, as of the last update: the bodies' poses, seven numbers each, and the rest. */
+    private final double[] poses;
+
+    private Portals portals;
+    private Posture character;
+    private ObserverSphere observer;
+    private double seconds;
+    /** The bodies whose centres the last update changed. */
+    private final boolean[] moved;
+
     private final PortalCopies places = new PortalCopies();
     private final int[] groupStart;
     private final int[] bodyStart;
@@ -64,12 +73,14 @@ public final class DynamicInstances {
         this.sky = sky;
         this.dynamicObjects = dynamicObjects;
         this.anchor = anchor;
-        changes = new DynamicChanges(dynamicObjects.shapes().size());
+        poses = new double[7 * dynamicObjects.shapes().size()];
+        Arrays.fill(poses, Double.NaN);
+        moved = new boolean[dynamicObjects.shapes().size()];
         groupStart = new int[dynamicObjects.groups().size() + 1];
         bodyStart = new int[dynamicObjects.shapes().size()];
         bodyEnd = new int[dynamicObjects.shapes().size()];
         skyOfBodies = new float[SkyProbes.VALUES * dynamicObjects.shapes().size()];
-        Arrays.fill(seen, 1);
+        Arrays.fill(openness, 1);
     }
 
     /**
@@ -78,7 +89,7 @@ public final class DynamicInstances {
      * @return a number that changes with every change
      */
     public long update(FrameState frameState) {
-        if (changes.since(frameState) || version == 0) {
+        if (keep(frameState) || version == 0) {
             instances = 0;
             for (int group = 0; group < dynamicObjects.groups().size(); group++) {
                 groupStart[group] = instances;
@@ -96,6 +107,36 @@ public final class DynamicInstances {
         return version;
     }
 
+    /** Keeps what the copies follow from. Returns true if any of it has changed. */
+    private boolean keep(FrameState frameState) {
+        boolean changed = frameState.character() != null && seconds != frameState.seconds()
+                || !Objects.equals(frameState.character(), character)
+                || !Objects.equals(frameState.observer(), observer)
+                || frameState.portals() != portals;
+        observer = frameState.observer();
+        character = frameState.character();
+        seconds = frameState.seconds();
+        portals = frameState.portals();
+        for (int body = 0; body < moved.length; body++) {
+            frameState.centre(body, centre);
+            frameState.orientation(body, turn);
+            moved[body] = keep(7 * body, centre.x, centre.y, centre.z);
+            changed |= moved[body];
+            changed |= keep(7 * body + 3, turn.x, turn.y, turn.z);
+            changed |= keep(7 * body + 4, turn.y, turn.z, turn.w);
+        }
+        return changed;
+    }
+
+    /** Keeps three numbers and returns true if one has changed. */
+    private boolean keep(int at, double x, double y, double z) {
+        boolean isOther = poses[at] != x || poses[at + 1] != y || poses[at + 2] != z;
+        poses[at] = x;
+        poses[at + 1] = y;
+        poses[at + 2] = z;
+        return isOther;
+    }
+
     private void add(FrameState frameState, int body) {
         frameState.centre(body, centre);
         frameState.orientation(body, turn);
@@ -106,9 +147,9 @@ public final class DynamicInstances {
         places.makeCopies(frameState.portals(), oneShape);
         for (int copy = 0; copy < places.copies(); copy++) {
             if (copy == 0) {
-                seeSkyOf(body);
+                lookUpSkyOf(body);
             } else {
-                seeSky(copy);
+                lookUpSky(copy);
             }
             pack(PortalCopies.slot(copy, 0), oneShape[0], dynamicObjects.materialOf()[body]);
         }
@@ -131,7 +172,7 @@ public final class DynamicInstances {
         oneShape[0] = DynamicShape.sphere(sphere.radiusMetres());
         places.makeCopies(frameState.portals(), oneShape);
         for (int copy = 0; copy < places.copies(); copy++) {
-            seeSky(copy);
+            lookUpSky(copy);
             pack(PortalCopies.slot(copy, 0), oneShape[0], dynamicObjects.observerMaterial(sphere.touches()));
         }
     }
@@ -149,7 +190,7 @@ public final class DynamicInstances {
         }
         places.makeCopies(frameState.portals(), characterShapes);
         for (int copy = 0; copy < places.copies(); copy++) {
-            seeSky(copy);
+            lookUpSky(copy);
             for (int part = 0; part < characterShapes.length; part++) {
                 pack(PortalCopies.slot(copy, part), characterShapes[part], dynamicObjects.characterMaterial());
             }
@@ -157,21 +198,21 @@ public final class DynamicInstances {
     }
 
     /** Sets the sky visibility of a body, which is looked up again only after the body has moved. */
-    private void seeSkyOf(int body) {
+    private void lookUpSkyOf(int body) {
         int at = SkyProbes.VALUES * body;
-        if (sky != null && changes.hasMoved(body)) {
-            seeSky(0);
-            System.arraycopy(seen, 0, skyOfBodies, at, SkyProbes.VALUES);
+        if (sky != null && moved[body]) {
+            lookUpSky(0);
+            System.arraycopy(openness, 0, skyOfBodies, at, SkyProbes.VALUES);
         } else if (sky != null) {
-            System.arraycopy(skyOfBodies, at, seen, 0, SkyProbes.VALUES);
+            System.arraycopy(skyOfBodies, at, openness, 0, SkyProbes.VALUES);
         }
     }
 
     /** Looks up the sky visibility at a position in front of every portal: the copy's centre may be inside a wall. */
-    private void seeSky(int copy) {
+    private void lookUpSky(int copy) {
         if (sky != null) {
             places.openPlace(copy, centre);
-            sky.at(centre.x, centre.y, centre.z, seen, 0);
+            sky.at(centre.x, centre.y, centre.z, openness, 0);
         }
     }
 
@@ -198,8 +239,8 @@ public final class DynamicInstances {
         put(at + 12, (float) half.x(), (float) half.y(), (float) half.z(), (float) shape.halfAxisMetres());
         putPlane(at + 16, slot, 0);
         putPlane(at + 20, slot, 1);
-        put(at + 24, seen[0], seen[1], seen[2], 0);
-        put(at + 28, seen[3], seen[4], seen[5], 0);
+        put(at + 24, openness[0], openness[1], openness[2], 0);
+        put(at + 28, openness[3], openness[4], openness[5], 0);
     }
 
     private void putPlane(int at, int slot, int plane) {
@@ -258,62 +299,5 @@ public final class DynamicInstances {
     /** Returns component 0–2 of the centre of an instance's bounding sphere, or 3 for its radius; world metres. */
     double ball(int instance, int component) {
         return balls[BALL * instance + component];
-    }
-
-    /** Detects whether any input of the dynamic objects' drawing has changed since the previous call. */
-    private static final class DynamicChanges {
-        private final double[] poses;
-        private final boolean[] moved;
-        private final Vector3d centre = new Vector3d();
-        private final Quaterniond turn = new Quaterniond();
-        private Portals portals;
-        private Posture character;
-        private ObserverSphere observer;
-        private double seconds;
-
-        DynamicChanges(int bodies) {
-            poses = new double[7 * bodies];
-            moved = new boolean[bodies];
-            Arrays.fill(poses, Double.NaN);
-        }
-
-        /** Compares a frame state with the previous one and stores it. Returns true if anything has changed. */
-        boolean since(FrameState frameState) {
-            boolean changed = isCharacterNew(frameState) | frameState.portals() != portals;
-            portals = frameState.portals();
-            for (int body = 0; body < moved.length; body++) {
-                frameState.centre(body, centre);
-                frameState.orientation(body, turn);
-                moved[body] = differs(7 * body, centre.x, centre.y, centre.z);
-                changed |= moved[body];
-                changed |= differs(7 * body + 3, turn.x, turn.y, turn.z);
-                changed |= differs(7 * body + 4, turn.y, turn.z, turn.w);
-            }
-            return changed;
-        }
-
-        /** Returns true if a body's position changed between the last two calls of {@link #since}. */
-        boolean hasMoved(int body) {
-            return moved[body];
-        }
-
-        private boolean isCharacterNew(FrameState frameState) {
-            boolean isNew = frameState.character() != null && seconds != frameState.seconds()
-                    || !Objects.equals(frameState.character(), character)
-                    || !Objects.equals(frameState.observer(), observer);
-            observer = frameState.observer();
-            character = frameState.character();
-            seconds = frameState.seconds();
-            return isNew;
-        }
-
-        /** Stores three values and returns true if one has changed. */
-        private boolean differs(int at, double x, double y, double z) {
-            boolean is = poses[at] != x || poses[at + 1] != y || poses[at + 2] != z;
-            poses[at] = x;
-            poses[at + 1] = y;
-            poses[at + 2] = z;
-            return is;
-        }
     }
 }

@@ -1,9 +1,7 @@
 package nephele.engine.scene.dynamic;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -49,8 +47,6 @@ public record DynamicObjects(
         return new Material("observer", new Vec3(r, g, b), null, 0.35, 0.0, null, Vec3.ZERO, 1);
     }
 
-    private record Key(boolean round, SolidBatch.Kind kind) {}
-
     public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence character) {
         Builder mesh = new Builder();
         Range[] box = {BodyMeshes.box(mesh)};
@@ -58,24 +54,27 @@ public record DynamicObjects(
         List<DynamicShape> shapes =
                 level.bodies().stream().map(DynamicShape::of).toList();
         int[] materialOf = new int[shapes.size()];
-        Map<Key, List<Integer>> sorted = new LinkedHashMap<>();
+        List<DynamicGroup> groups = new ArrayList<>();
+        List<List<Integer>> sorted = new ArrayList<>();
         for (int i = 0; i < shapes.size(); i++) {
             Body body = level.bodies().get(i);
             int material = known.indexOf(body.material());
             materialOf[i] = material % SolidGeometry.MATERIALS_PER_BLOCK;
             boolean isRound = shapes.get(i).kind() != DynamicShape.BOX;
-            Key key = new Key(isRound, kind(known.surfaces().get(material), material));
-            sorted.computeIfAbsent(key, k -> new ArrayList<>()).add(i);
+            Range[] steps = isRound ? round : box;
+            SolidBatch.Kind kind = kind(known.surfaces().get(material), material);
+            int group = 0;
+            while (group < groups.size() && !groups.get(group).has(steps, kind)) {
+                group++;
+            }
+            if (group == groups.size()) {
+                groups.add(new DynamicGroup(steps, isRound ? BodyMeshes.flatness() : new double[1], kind));
+                sorted.add(new ArrayList<>());
+            }
+            sorted.get(group).add(i);
         }
-        List<DynamicGroup> groups = new ArrayList<>();
         List<int[]> members = new ArrayList<>();
-        sorted.forEach((key, bodies) -> {
-            groups.add(
-                    key.round
-                            ? new DynamicGroup(round, BodyMeshes.flatness(), key.kind)
-                            : new DynamicGroup(box, new double[1], key.kind));
-            members.add(bodies.stream().mapToInt(i -> i).toArray());
-        });
+        sorted.forEach(bodies -> members.add(bodies.stream().mapToInt(i -> i).toArray()));
         List<Surface> materials = new ArrayList<>(known.surfaces());
         if (character == CharacterPresence.POSSIBLE) {
             members.add(new int[] {FIGURE});

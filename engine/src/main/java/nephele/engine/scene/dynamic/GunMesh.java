@@ -11,7 +11,6 @@ import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.dynamic.DynamicMesh.Builder;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
-import nephele.engine.scene.dynamic.Loft.Join;
 import org.joml.Vector3d;
 
 /**
@@ -26,6 +25,24 @@ public final class GunMesh {
     public static final double MUZZLE_METRES = -0.345;
     /** Position along z of the middle of the luminous chamber. */
     public static final double CHAMBER_METRES = -0.185;
+
+    /** The middles of the luminous chamber and of the hoop. */
+    public static final Vec3 CHAMBER = new Vec3(0, AXIS_METRES, CHAMBER_METRES);
+
+    public static final Vec3 HOOP = new Vec3(0, 0.062, MUZZLE_METRES);
+
+    /** Half the width of the hoop, and half its height. */
+    public static final double HOOP_HALF_WIDTH_METRES = 0.055;
+
+    public static final double HOOP_HALF_HEIGHT_METRES = 0.075;
+
+    /** Distance at which half of a lamp's light on the gun itself is left; the same of a shot's flash. */
+    public static final double LAMP_REACH_METRES = 0.03;
+
+    public static final double FLASH_REACH_METRES = 0.11;
+
+    /** Fraction of a lamp's light that arrives at right angles: lamps are no points. */
+    public static final double WRAPPED = 0.35;
 
     /** Number of the first material that shines in the colour of the next portal; those after it do so too. */
     public static final int FIRST_LAMP = 8;
@@ -154,10 +171,6 @@ public final class GunMesh {
         return Math.max(6, 2 * (int) Math.round(full * fineness / 2));
     }
 
-    private Loft loft(Join join, int sides) {
-        return new Loft(join, sides(sides));
-    }
-
     private void put(int material, Loft loft) {
         mesh.tag(0, material);
         loft.addTo(mesh);
@@ -174,7 +187,7 @@ public final class GunMesh {
     }
 
     private Loft turned(double... zAndRadius) {
-        return new Loft(Join.EDGED, Math.max(12, sides(24))).turned(0, AXIS, zAndRadius);
+        return Loft.edged(Math.max(12, sides(24))).turned(0, AXIS, zAndRadius);
     }
 
     private void barrel() {
@@ -194,7 +207,7 @@ public final class GunMesh {
             double y = AXIS + 0.0375 * Math.sin(angle);
             put(
                     STEEL,
-                    loft(Join.SMOOTH, 8)
+                    Loft.smooth(sides(8))
                             .at(x, y, -0.146, 0.0048)
                             .at(x, y, -0.16, 0.0048)
                             .at(x, y, -0.21, 0.0048)
@@ -206,7 +219,7 @@ public final class GunMesh {
         // The white body: flat flanks with round edges, bevelled at both ends.
         put(
                 SHELL,
-                loft(Join.SMOOTH, 28)
+                Loft.smooth(sides(28))
                         .roundness(0.6)
                         .at(0, 0.061, 0.1035, 0.0235, 0.0225)
                         .at(0, 0.061, 0.1028, 0.0345, 0.0325)
@@ -221,7 +234,7 @@ public final class GunMesh {
         // A dark seam all around, and a spine with the sight on top.
         put(
                 DARK,
-                loft(Join.SMOOTH, 28)
+                Loft.smooth(sides(28))
                         .roundness(0.6)
                         .at(0, 0.0645, -0.0005, 0.0505, 0.0460)
                         .at(0, 0.0645, -0.0010, 0.0531, 0.0487)
@@ -265,11 +278,11 @@ public final class GunMesh {
     /** The hoop and its prongs; the light runs along the inside of the hoop and faces the player. */
     private void muzzle() {
         hoop(DARK, MUZZLE_METRES, 0.058, 0.078, 0.0105, 0.0125);
-        hoop(LAMP, MUZZLE_METRES + 0.0105, 0.055, 0.075, 0.0048, 0.0052);
+        hoop(LAMP, MUZZLE_METRES + 0.0105, HOOP_HALF_WIDTH_METRES, HOOP_HALF_HEIGHT_METRES, 0.0048, 0.0052);
         for (int side = -1; side <= 1; side += 2) {
             put(
                     SHELL,
-                    loft(Join.SMOOTH, 14)
+                    Loft.smooth(sides(14))
                             .roundness(0.6)
                             .up(0, 1, 0)
                             .at(0.040 * side, AXIS, -0.118, 0.0, 0.0)
@@ -311,7 +324,7 @@ public final class GunMesh {
     private void handle() {
         put(
                 RUBBER,
-                loft(Join.SMOOTH, 14)
+                Loft.smooth(sides(14))
                         .roundness(0.75)
                         .up(0, 0, -1)
                         .at(0, 0.024, 0.028, 0.021, 0.03)
@@ -324,7 +337,7 @@ public final class GunMesh {
         }
         put(
                 STEEL,
-                loft(Join.SMOOTH, 10)
+                Loft.smooth(sides(10))
                         .up(1, 0, 0)
                         .at(0, 0.014, -0.062, 0.004, 0.008)
                         .at(0, -0.012, -0.058, 0.004, 0.008)
@@ -337,7 +350,7 @@ public final class GunMesh {
         // The palm behind and to the right of the handle, and the back of the hand with its plate.
         put(
                 RUBBER,
-                loft(Join.SMOOTH, 18)
+                Loft.smooth(sides(18))
                         .roundness(0.8)
                         .up(0, 0, -1)
                         .at(0.017, 0.014, 0.064, 0, 0)
@@ -356,7 +369,7 @@ public final class GunMesh {
         // The thumb lies along the left of the handle, forward.
         put(
                 RUBBER,
-                loft(Join.SMOOTH, 10)
+                Loft.smooth(sides(10))
                         .at(0.012, -0.004, 0.086, 0, 0)
                         .at(0.008, -0.002, 0.084, 0.0125)
                         .at(-0.016, 0.001, 0.07, 0.0145)
@@ -372,7 +385,7 @@ public final class GunMesh {
         double r = 0.0118 - (finger == 3 ? 0.001 : 0);
         put(
                 RUBBER,
-                loft(Join.SMOOTH, 10)
+                Loft.smooth(sides(10))
                         .at(0.031, y - 0.002, 0.002 + z, r)
                         .at(0.006, y - 0.003, -0.012 + z, r)
                         .at(-0.018, y - 0.003, -0.004 + z, r * 0.95)
@@ -386,7 +399,7 @@ public final class GunMesh {
         double[] elbow = {0.15, -0.21, 0.37};
         put(
                 RUBBER,
-                loft(Join.SMOOTH, 16)
+                Loft.smooth(sides(16))
                         .at(0.02, -0.045, 0.076, 0, 0)
                         .at(0.02, -0.047, 0.079, 0.022, 0.026)
                         .at(wrist[0], wrist[1], wrist[2], 0.0275, 0.030)
@@ -396,7 +409,7 @@ public final class GunMesh {
         put(ACCENT, sleeve(wrist, elbow, 0.37, 0.42, 0.0425, 0.0425, 0.0015));
         put(
                 CLOTH,
-                loft(Join.SMOOTH, 18)
+                Loft.smooth(sides(18))
                         .at(0.053, -0.099, 0.168, 0.036, 0.038)
                         .at(0.084, -0.135, 0.232, 0.045, 0.047)
                         .at(0.117, -0.173, 0.301, 0.05, 0.052)
@@ -411,7 +424,7 @@ public final class GunMesh {
     /** A bevelled ring around the forearm, from one share of its length to another. */
     private Loft sleeve(
             double[] wrist, double[] elbow, double from, double to, double radius, double last, double bevel) {
-        Loft loft = loft(Join.EDGED, 18);
+        Loft loft = Loft.edged(sides(18));
         double length =
                 Math.sqrt(square(elbow[0] - wrist[0]) + square(elbow[1] - wrist[1]) + square(elbow[2] - wrist[2]));
         double[] shares = {from, from, from + bevel / length, to - bevel / length, to, to};

@@ -10,28 +10,32 @@ import org.joml.Vector3d;
  * portal gun and of the arm that holds it consist of these. A section stands at right angles to the curve.
  */
 final class Loft {
-    /** How sections are joined. */
-    enum Join {
-        /** One smooth surface. */
-        SMOOTH,
-        /** An edge at every section: narrow bands between wide ones are bevels. */
-        EDGED
-    }
-
     private static final double[] FORWARD = {0, 0, -1};
 
     /** A section with its half sides along the curve's right and up, metres. */
     private record Section(Vector3d centre, double halfWidth, double halfHeight) {}
 
     private final List<Section> sections = new ArrayList<>();
-    private final Join join;
+    /** Whether there is an edge at every section. */
+    private final boolean isEdged;
+
     private final int sides;
     private double roundness = 1;
     private Vector3d up = new Vector3d(0, 1, 0);
 
-    Loft(Join join, int sides) {
-        this.join = join;
+    private Loft(boolean isEdged, int sides) {
+        this.isEdged = isEdged;
         this.sides = sides;
+    }
+
+    /** Returns one smooth surface, still without sections. */
+    static Loft smooth(int sides) {
+        return new Loft(false, sides);
+    }
+
+    /** Returns a surface with an edge at every section: narrow bands between wide ones are bevels. */
+    static Loft edged(int sides) {
+        return new Loft(true, sides);
     }
 
     /** Sets the exponent of the sections: 1 an ellipse, near 0 a rectangle. */
@@ -70,19 +74,19 @@ final class Loft {
         for (int i = 0; i < rings.length; i++) {
             rings[i] = ring(i);
         }
-        if (join == Join.SMOOTH) {
-            int[] below = null;
-            for (int i = 0; i < rings.length; i++) {
-                int[] row = row(mesh, rings, i, Math.max(0, i - 1), Math.min(rings.length - 1, i + 1));
-                if (below != null) {
-                    BodyMeshes.band(mesh, below, row);
-                }
-                below = row;
-            }
-        } else {
+        if (isEdged) {
             for (int i = 0; i + 1 < rings.length; i++) {
                 BodyMeshes.band(mesh, row(mesh, rings, i, i, i + 1), row(mesh, rings, i + 1, i, i + 1));
             }
+            return;
+        }
+        int[] below = null;
+        for (int i = 0; i < rings.length; i++) {
+            int[] row = row(mesh, rings, i, Math.max(0, i - 1), Math.min(rings.length - 1, i + 1));
+            if (below != null) {
+                BodyMeshes.band(mesh, below, row);
+            }
+            below = row;
         }
     }
 
@@ -119,8 +123,8 @@ final class Loft {
     private Vector3d tangent(int at) {
         Vector3d before = sections.get(Math.max(0, at - 1)).centre;
         Vector3d after = sections.get(Math.min(sections.size() - 1, at + 1)).centre;
-        Vector3d way = new Vector3d(after).sub(before);
-        return way.lengthSquared() < 1e-12 ? new Vector3d(FORWARD) : way.normalize();
+        Vector3d displacement = new Vector3d(after).sub(before);
+        return displacement.lengthSquared() < 1e-12 ? new Vector3d(FORWARD) : displacement.normalize();
     }
 
     private Vector3d[] ring(int at) {

@@ -13,10 +13,8 @@ import org.joml.Vector3d;
  * All data about a level's punctual lights that shaders read.
  *
  * @param shadows layers of the depth texture; none if no light casts shadows
- * @param cells the data from which the grid's lists were made
  */
-public record PunctualLightTable(
-        List<PunctualLight> lights, LightGrid grid, LightShadowLayers shadows, LightGridCells cells) {
+public record PunctualLightTable(List<PunctualLight> lights, LightGrid grid, LightShadowLayers shadows) {
     /** The number of texels (of four floats) per light in {@link #packed}. */
     public static final int TEXELS_PER_LIGHT = 4;
 
@@ -47,7 +45,7 @@ public record PunctualLightTable(
         if (before == null) {
             return of(lights, statics.bounds(), statics, null);
         }
-        return before.cells.areOf(lights, statics) ? before : of(lights, statics.bounds(), statics, before.cells);
+        return before.grid.isOf(lights, statics) ? before : of(lights, statics.bounds(), statics, before.grid);
     }
 
     /**
@@ -66,23 +64,17 @@ public record PunctualLightTable(
     }
 
     private static PunctualLightTable of(
-            List<PunctualLight> lights, Aabb bounds, StaticShapes statics, LightGridCells before) {
+            List<PunctualLight> lights, Aabb bounds, StaticShapes statics, LightGrid before) {
         LightShadowLayers shadows = LightShadowLayers.of(lights);
         Aabb box = bounds.isEmpty() ? NOTHING_LIT : bounds;
-        for (double side = LightGrid.finestMetres(box); ; side *= 2) {
-            LightGrid empty = LightGrid.over(box, side);
-            LightGridCells cells = new LightGridCells(empty, lights, shadows.firstLayer(), statics, before);
-            LightGrid grid = empty.listing(lights, cells);
-            if (grid != null) {
-                return new PunctualLightTable(lights, grid, shadows, cells);
-            }
-        }
+        LightGrid grid = LightGrid.of(lights, shadows.firstLayer(), box, statics, before);
+        return new PunctualLightTable(lights, grid, shadows);
     }
 
     /** Returns the same table in which only the {@code lights} most powerful lights cast shadows. */
     public PunctualLightTable withMostShadows(int lights) {
         LightShadowLayers fewer = shadows.ofMostPowerful(lights);
-        return fewer == shadows ? this : new PunctualLightTable(this.lights, grid, fewer, cells);
+        return fewer == shadows ? this : new PunctualLightTable(this.lights, grid, fewer);
     }
 
     /**
@@ -90,7 +82,7 @@ public record PunctualLightTable(
      * neither the light nor anything within its range has changed.
      */
     public Object shadowToken(int light) {
-        return cells.lit(light);
+        return grid.lit(light);
     }
 
     /**

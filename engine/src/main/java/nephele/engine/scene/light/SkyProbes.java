@@ -7,7 +7,7 @@ import nephele.engine.math.bvh.ItemRayTest;
 import nephele.engine.scene.light.bake.Occluders;
 
 /**
- * The sky visibility of dynamic objects by direction; the counterpart of the light map. The visible shares of the
+ * The sky visibility of dynamic objects by direction; the counterpart of the light map. The visible fractions of the
  * directions around each axis, weighted by the cosine, are computed at points of a lattice on first use and
  * interpolated between those lattice points that are visible from the position. The result depends on the position
  * only.
@@ -29,7 +29,7 @@ public final class SkyProbes {
 
     private final double[][] directions = new double[DIRECTIONS][];
     private final double[] from = new double[3];
-    private final double[] way = new double[3];
+    private final double[] displacement = new double[3];
     private final Ray ray = Ray.reusable();
     private final double[] open = new double[VALUES];
     private final double[] all = new double[VALUES];
@@ -40,7 +40,7 @@ public final class SkyProbes {
 
     public SkyProbes(StaticShapes statics) {
         this.statics = statics;
-        meets = (sight, item, limit) -> occluders.hit(item, from, way, limit);
+        meets = (sight, item, limit) -> occluders.hit(item, from, displacement, limit);
         for (int i = 0; i < DIRECTIONS; i++) {
             // Evenly over the sphere (Vogel 1979).
             double y = 1 - (2 * i + 1.0) / DIRECTIONS;
@@ -51,26 +51,22 @@ public final class SkyProbes {
         Arrays.fill(keys, Long.MIN_VALUE);
     }
 
-    /** Writes the visible shares of the sky at a position, each 0 to 1, from {@code out[at]} on. */
+    /** Writes the visible fractions of the sky at a position, each 0 to 1, from {@code out[at]} on. */
     public void at(double x, double y, double z, float[] out, int at) {
         occluders = occluders == null ? new Occluders(statics) : occluders;
         // No lattice point is visible from inside a solid; then all free ones nearby are used.
-        if (!mix(x, y, z, Sight.CLEAR, out, at)) {
-            mix(x, y, z, Sight.ANY, out, at);
+        if (!mix(x, y, z, true, out, at)) {
+            mix(x, y, z, false, out, at);
         }
-    }
-
-    private enum Sight {
-        CLEAR,
-        ANY
     }
 
     /**
      * Interpolates the values.
      *
+     * @param onlyVisible whether to leave out the lattice points that are not visible from the position
      * @return true if any lattice point around the position was used
      */
-    private boolean mix(double x, double y, double z, Sight sight, float[] out, int at) {
+    private boolean mix(double x, double y, double z, boolean onlyVisible, float[] out, int at) {
         double weights = 0;
         double cellX = (x - OFFSET_METRES) / SPACING_METRES;
         double cellY = (y - OFFSET_METRES) / SPACING_METRES;
@@ -85,7 +81,7 @@ public final class SkyProbes {
             if (known[slot] == INSIDE || weight < 1e-3) {
                 continue;
             }
-            if (sight == Sight.CLEAR && !sees(x, y, z, i, j, k)) {
+            if (onlyVisible && !sees(x, y, z, i, j, k)) {
                 continue;
             }
             weights += weight;
@@ -103,10 +99,10 @@ public final class SkyProbes {
         from[0] = x;
         from[1] = y;
         from[2] = z;
-        way[0] = i * SPACING_METRES + OFFSET_METRES - x;
-        way[1] = j * SPACING_METRES + OFFSET_METRES - y;
-        way[2] = k * SPACING_METRES + OFFSET_METRES - z;
-        return !occluders.anyHit(ray.aim(x, y, z, way[0], way[1], way[2]), 1, meets);
+        displacement[0] = i * SPACING_METRES + OFFSET_METRES - x;
+        displacement[1] = j * SPACING_METRES + OFFSET_METRES - y;
+        displacement[2] = k * SPACING_METRES + OFFSET_METRES - z;
+        return !occluders.anyHit(ray.aim(x, y, z, displacement[0], displacement[1], displacement[2]), 1, meets);
     }
 
     /** Returns the index in {@link #known} of a lattice point's values; computes them on first use. */
@@ -158,7 +154,7 @@ public final class SkyProbes {
         Arrays.fill(open, 0);
         Arrays.fill(all, 0);
         for (double[] d : directions) {
-            System.arraycopy(d, 0, way, 0, 3);
+            System.arraycopy(d, 0, displacement, 0, 3);
             ray.aim(from[0], from[1], from[2], d[0], d[1], d[2]);
             double visible = occluders.anyHit(ray, Double.MAX_VALUE, meets) ? 0 : 1;
             for (int axis = 0; axis < 3; axis++) {

@@ -128,7 +128,7 @@ final class ReachFlood {
             }
         }
         for (StaticShape.HeightGrid grid : statics.ground()) {
-            if (grid.said().portalable()) {
+            if (grid.authored().portalable()) {
                 addPlaces(grid.field(), places);
             }
         }

@@ -1,11 +1,11 @@
-// The light of the portal gun's own lamps on it; twin: nephele.engine.scene.dynamic.GunLight. Positions are the gun's own.
+// The light of the portal gun's own lamps on it; twin: scene.dynamic.GunLight of the tests. Positions are the gun's own.
 
-const vec3 CHAMBER = java(scene.dynamic.GunLight.CHAMBER);
-const vec3 HOOP = java(scene.dynamic.GunLight.HOOP);
-const vec2 HOOP_HALF = vec2(java(scene.dynamic.GunLight.HOOP_HALF_WIDTH_METRES), java(scene.dynamic.GunLight.HOOP_HALF_HEIGHT_METRES));
-const float LAMP_REACH = java(scene.dynamic.GunLight.LAMP_REACH_METRES);
-const float FLASH_REACH = java(scene.dynamic.GunLight.FLASH_REACH_METRES);
-const float WRAPPED = java(scene.dynamic.GunLight.WRAPPED);
+const vec3 CHAMBER = java(scene.dynamic.GunMesh.CHAMBER);
+const vec3 HOOP = java(scene.dynamic.GunMesh.HOOP);
+const vec2 HOOP_HALF = vec2(java(scene.dynamic.GunMesh.HOOP_HALF_WIDTH_METRES), java(scene.dynamic.GunMesh.HOOP_HALF_HEIGHT_METRES));
+const float LAMP_REACH = java(scene.dynamic.GunMesh.LAMP_REACH_METRES);
+const float FLASH_REACH = java(scene.dynamic.GunMesh.FLASH_REACH_METRES);
+const float WRAPPED = java(scene.dynamic.GunMesh.WRAPPED);
 
 float lampLight(vec3 p, vec3 n, vec3 lamp, float reach) {
     vec3 towards = lamp - p;

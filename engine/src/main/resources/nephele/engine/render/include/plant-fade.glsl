@@ -1,7 +1,7 @@
-// The share of a plant's pixels that its mesh draws; the impostor draws the others. Twin: render.pass.impostor.PlantSizes.
+// The share of a plant's pixels that its mesh draws; the impostor draws the others. Twin: render.pass.impostor.PlantChoice.
 
 // Above this many times the size at which an impostor begins, only the mesh is drawn.
-const float PLANT_FADE = java(render.pass.impostor.PlantSizes.FADE);
+const float PLANT_FADE = java(render.pass.impostor.PlantChoice.FADE);
 
 float plantMeshShare(float pixels) {
 #ifdef ALWAYS_MESHES
@@ -13,8 +13,8 @@ float plantMeshShare(float pixels) {
 
 // Below this size, in pixels, far plants are fewer and wider (Cook et al. 2007, "Stochastic Simplification of Aggregate
 // Detail"): a plant is left out at a size of its own.
-const float PLANT_THIN = java(render.pass.impostor.PlantSizes.THIN_PIXELS);
-const float PLANT_SHRINK = java(render.pass.impostor.PlantSizes.SHRINK); // of all ranks are shrinking
+const float PLANT_THIN = java(render.pass.impostor.PlantChoice.THIN_PIXELS);
+const float PLANT_SHRINK = java(render.pass.impostor.PlantChoice.SHRINK); // of all ranks are shrinking
 
 // Returns the factor on the width of a plant; 0 if it is left out.
 float plantWidening(float pixels, float rank) {

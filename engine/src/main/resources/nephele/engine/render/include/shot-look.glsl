@@ -1,9 +1,7 @@
-// The opacity of a shot's light; twin: nephele.engine.scene.ShotLook.
+// The opacity of a shot's light; twin: scene.ShotLook of the tests.
 
-// Share of its time in which a bolt's head reaches its end.
-const float BOLT_FLIGHT = java(scene.ShotLook.BOLT_FLIGHT);
-// Length of the tail in flight, as a share of the way.
-const float BOLT_TAIL = java(scene.ShotLook.BOLT_TAIL);
+const float BOLT_FLIGHT = java(scene.FrameState.ShotEffect.BOLT_FLIGHT);
+const float BOLT_TAIL = java(scene.FrameState.ShotEffect.BOLT_TAIL);
 
 // along: share of the way, across: -1 to 1, age: share of the time
 float boltOpacity(float along, float across, float age) {

@@ -7,8 +7,8 @@ import java.util.stream.IntStream;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Quality;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
@@ -67,7 +67,7 @@ final class CloudExperiment implements Experiment {
         figures.add(still.figures().get(QUANTILE));
         addMarched(figures, shot);
         figures.add(textures(shot) / MEBIBYTE);
-        figures.add(Shimmer.of(wanted, test));
+        figures.add(ImageError.shimmer(wanted, test));
         figures.add(Flip.ofDisplayed(wanted.get(1), test.get(1)).mean());
         double error =
                 switch (judged) {
@@ -104,10 +104,10 @@ final class CloudExperiment implements Experiment {
             rays = new CloudRays(site.placed(), site.view());
         }
         Quality quality = shot.settings(site.gl().limits().software()).quality();
-        CloudRays.Marched marched = rays.marched(quality.cloudStep());
+        rays.march(quality.cloudStep());
         double fraction = quality.cloudResolution() / quality.cloudHistory().side();
-        figures.add(marched.transmittanceError());
-        figures.add(fraction * fraction * marched.evaluations());
+        figures.add(rays.transmittanceError());
+        figures.add(fraction * fraction * rays.evaluations());
     }
 
     /** Returns the bytes of textures that a renderer has less if the level has no clouds. */

@@ -33,13 +33,15 @@ final class CloudRays implements AutoCloseable {
     private final CloudTimeline timeline;
     private final List<DrawnCloud> clouds;
     private final double[] exact;
+    private double evaluations;
+    private double transmittanceError;
 
     CloudRays(PlacedLevel placed, View view) {
         this.view = view;
         height = (int) Math.round(WIDTH / view.projection().aspect());
         Environment environment = placed.level().environment();
         timeline = new CloudTimeline(environment, placed.assets(), Aabb.around(view.eye(), REGION), LightCells.DIVISOR);
-        clouds = timeline.at(environment, 0, view.eye()).from().clouds().all();
+        clouds = timeline.at(environment, 0, view.eye()).from().clouds();
         List<CloudMedium> media = LoadedClouds.of(environment, placed.assets()).at(0);
         exact = new double[WIDTH * height];
         for (int pixel = 0; pixel < exact.length; pixel++) {
@@ -51,15 +53,8 @@ final class CloudRays implements AutoCloseable {
         }
     }
 
-    /**
-     * What the march of all rays costs and misses.
-     *
-     * @param evaluations of the density, a ray; the shader leaps over empty cells and makes fewer
-     * @param transmittanceError root mean square, over all rays
-     */
-    record Marched(double evaluations, double transmittanceError) {}
-
-    Marched marched(double stepCells) {
+    /** Marches all rays with a step; the figures are those of the last march. */
+    void march(double stepCells) {
         List<CellMarch> marches = new ArrayList<>();
         for (DrawnCloud cloud : clouds) {
             marches.add(new CellMarch(
@@ -68,18 +63,29 @@ final class CloudRays implements AutoCloseable {
                     view.eye(),
                     cloud.source().isProfiled() ? cloud.source().noise(0) : null));
         }
-        double evaluations = 0;
+        double fetches = 0;
         double squares = 0;
         for (int pixel = 0; pixel < exact.length; pixel++) {
             double left = 1;
             for (CellMarch march : marches) {
                 march.march(ray(pixel), 0, FAR, stepCells, offset(pixel));
                 left *= march.transmittance();
-                evaluations += march.fetches();
+                fetches += march.fetches();
             }
             squares += (left - exact[pixel]) * (left - exact[pixel]);
         }
-        return new Marched(evaluations / exact.length, Math.sqrt(squares / exact.length));
+        evaluations = fetches / exact.length;
+        transmittanceError = Math.sqrt(squares / exact.length);
+    }
+
+    /** Returns the evaluations of the density, a ray; the shader leaps over empty cells and makes fewer. */
+    double evaluations() {
+        return evaluations;
+    }
+
+    /** Returns the root mean square, over all rays. */
+    double transmittanceError() {
+        return transmittanceError;
     }
 
     /** As the shader spreads the first samples of rays. */

@@ -8,7 +8,7 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.render.ToneMappedPicture;
+import nephele.engine.render.Capture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.gl.RenderTarget;
@@ -44,7 +44,7 @@ enum ComparedValues {
 
         @Override
         BufferedImage shown(LinearPicture picture, Environment environment) {
-            return ToneMappedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
+            return Capture.toneMapped(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
     /** The light that the display emits, against the reference picture's tone-mapped radiance: the picture that a player sees. */

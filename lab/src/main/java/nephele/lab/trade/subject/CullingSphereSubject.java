@@ -1,11 +1,13 @@
 package nephele.lab.trade.subject;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.math.Frustum;
 import nephele.engine.model.BoundingSphere;
+import nephele.engine.model.Mesh;
 import nephele.engine.scene.View;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
@@ -18,6 +20,8 @@ import nephele.scenes.xml.PosedScene;
 import nephele.scenes.xml.WorldSpheres;
 import nephele.scenes.xml.XmlScene;
 import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+import org.joml.Vector4d;
 
 /**
  * The culling spheres of the scene-engine report, with its three errors and with each of them alone, against exact
@@ -33,6 +37,8 @@ public final class CullingSphereSubject implements Experiment {
 
     static final int VIEWS = 24;
     private static final double SECONDS_BETWEEN = 0.7;
+    /** Of a triangle that six planes have cut. */
+    private static final int MOST_CORNERS = 9;
 
     public static final Trade TRADE = new Trade(
             "cullingSpheres",
@@ -65,10 +71,15 @@ public final class CullingSphereSubject implements Experiment {
     private final List<View> views;
     private final Frustum frustum = Frustum.reusable(6);
     private final Matrix4d clipFromRelative = new Matrix4d();
+    private final Matrix4d clipFromModel = new Matrix4d();
+    private final Vector4d[] corners = new Vector4d[MOST_CORNERS];
+    private final Vector4d[] cut = new Vector4d[MOST_CORNERS];
     /** Uses the result, so that the compiler cannot eliminate the timed code. */
     private int kept;
 
     CullingSphereSubject() {
+        Arrays.setAll(corners, i -> new Vector4d());
+        Arrays.setAll(cut, i -> new Vector4d());
         var models = new DriftingModels();
         XmlScene scene = models.scene();
         views = models.views(scene, VIEWS);
@@ -95,9 +106,9 @@ public final class CullingSphereSubject implements Experiment {
                 place(model);
             }
         }
-        View seen = views.get(view);
-        frustum.restart(seen.eyeX(), seen.eyeY(), seen.eyeZ());
-        frustum.keepAll(seen.clipFromRelative(clipFromRelative));
+        View current = views.get(view);
+        frustum.restart(current.eyeX(), current.eyeY(), current.eyeZ());
+        frustum.keepAll(current.clipFromRelative(clipFromRelative));
     }
 
     private boolean keeps(int setting, int view, int model) {
@@ -108,23 +119,22 @@ public final class CullingSphereSubject implements Experiment {
 
     @Override
     public Judgement judge(int setting) {
-        var reference = new ModelsInView();
-        int seen = 0;
+        int visible = 0;
         int leftOut = 0;
         int keptOutOfView = 0;
         for (int view = 0; view < VIEWS; view++) {
             begin(view);
             for (int model = 0; model < spheres.size(); model++) {
-                boolean isSeen =
-                        reference.shows(views.get(view), files.mesh(posed.model(model)), posed.worldFromModel(model));
+                boolean isVisible =
+                        isVisible(views.get(view), files.mesh(posed.model(model)), posed.worldFromModel(model));
                 boolean keeps = keeps(setting, view, model);
-                seen += isSeen ? 1 : 0;
-                leftOut += isSeen && !keeps ? 1 : 0;
-                keptOutOfView += keeps && !isSeen ? 1 : 0;
+                visible += isVisible ? 1 : 0;
+                leftOut += isVisible && !keeps ? 1 : 0;
+                keptOutOfView += keeps && !isVisible ? 1 : 0;
             }
         }
-        int outOfView = VIEWS * spheres.size() - seen;
-        return Judgement.of(100.0 * leftOut / seen, 100.0 * keptOutOfView / outOfView, (double) leftOut / VIEWS);
+        int outOfView = VIEWS * spheres.size() - visible;
+        return Judgement.of(100.0 * leftOut / visible, 100.0 * keptOutOfView / outOfView, (double) leftOut / VIEWS);
     }
 
     @Override
@@ -137,5 +147,58 @@ public final class CullingSphereSubject implements Experiment {
                 kept += keeps(setting, view, model) ? 1 : 0;
             }
         }
+    }
+
+    /**
+     * Returns true if a view shows any part of a mesh: each triangle is clipped by the six planes in turn (Sutherland and
+     * Hodgman, 1974).
+     */
+    private boolean isVisible(View view, Mesh mesh, Matrix4dc worldFromModel) {
+        view.clipFromRelative(clipFromModel).translate(-view.eyeX(), -view.eyeY(), -view.eyeZ());
+        clipFromModel.mul(worldFromModel);
+        for (int at = 0; at < mesh.indices().length; at += 3) {
+            for (int i = 0; i < 3; i++) {
+                int p = 3 * mesh.indices()[at + i];
+                corners[i].set(mesh.positions()[p], mesh.positions()[p + 1], mesh.positions()[p + 2], 1);
+                clipFromModel.transform(corners[i]);
+            }
+            if (isLeft()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isLeft() {
+        int count = 3;
+        for (int plane = 0; plane < 6 && count > 0; plane++) {
+            count = cutBy(plane, count);
+        }
+        return count > 0;
+    }
+
+    private int cutBy(int plane, int count) {
+        int kept = 0;
+        for (int i = 0; i < count; i++) {
+            Vector4d from = corners[i];
+            Vector4d to = corners[(i + 1) % count];
+            double a = distance(from, plane);
+            double b = distance(to, plane);
+            if (a >= 0) {
+                cut[kept++].set(from);
+            }
+            if (a >= 0 != b >= 0) {
+                from.lerp(to, a / (a - b), cut[kept++]);
+            }
+        }
+        for (int i = 0; i < kept; i++) {
+            corners[i].set(cut[i]);
+        }
+        return kept;
+    }
+
+    private static double distance(Vector4d p, int plane) {
+        double side = plane % 2 == 0 ? 1 : -1;
+        return p.w + side * p.get(plane / 2);
     }
 }

@@ -25,12 +25,6 @@ final class DriftingModels {
     private static final XmlModel.Colours COLOURS =
             new XmlModel.Colours(new Vec3(0.8, 0.8, 0.8), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0);
 
-    /** The behaviour of a group's rotation over time. */
-    private enum Turning {
-        STAYS,
-        SPINS
-    }
-
     private final SplittableRandom random = new SplittableRandom(3);
 
     XmlScene scene() {
@@ -38,10 +32,9 @@ final class DriftingModels {
         for (int i = 0; i < GROUPS; i++) {
             List<XmlGroup> within = new ArrayList<>();
             for (int j = 0; j < MODELS_PER_GROUP; j++) {
-                within.add(new XmlGroup(
-                        0, steps(8, j > 5 ? Turning.SPINS : Turning.STAYS), List.of(), List.of(model()), List.of()));
+                within.add(new XmlGroup(0, steps(8, j > 5 ? spin() : turn()), List.of(), List.of(model()), List.of()));
             }
-            groups.add(new XmlGroup(0, steps(WIDTH, Turning.STAYS), List.of(), List.of(), within));
+            groups.add(new XmlGroup(0, steps(WIDTH, turn()), List.of(), List.of(), within));
         }
         XmlGroup root = new XmlGroup(0, List.of(), List.of(), List.of(), groups);
         var eye = new XmlScene.Eye(Vec3.ZERO, new Vec3(0, 0, -1), new Vec3(0, 1, 0), 60, 1, 200);
@@ -49,16 +42,21 @@ final class DriftingModels {
     }
 
     /** Returns a rotation followed by a translation and a scale, as scene files write orbits. */
-    private List<Step> steps(double width, Turning turning) {
+    private List<Step> steps(double width, Step rotation) {
         List<Step> steps = new ArrayList<>();
-        steps.add(
-                turning == Turning.SPINS
-                        ? new Step.Spin(anywhere(1), random.nextDouble(4, 20))
-                        : new Step.Rotate(anywhere(1), random.nextDouble(360)));
+        steps.add(rotation);
         steps.add(new Step.Translate(anywhere(width)));
         double scale = random.nextDouble(0.5, 1.5);
         steps.add(new Step.Scale(new Vec3(scale, scale * random.nextDouble(0.7, 1.4), scale)));
         return steps;
+    }
+
+    private Step spin() {
+        return new Step.Spin(anywhere(1), random.nextDouble(4, 20));
+    }
+
+    private Step turn() {
+        return new Step.Rotate(anywhere(1), random.nextDouble(360));
     }
 
     private XmlModel model() {

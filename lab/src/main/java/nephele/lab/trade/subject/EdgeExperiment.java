@@ -8,7 +8,6 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -50,11 +49,11 @@ public final class EdgeExperiment implements Experiment {
     private final PictureExperiment pictures;
     private final Footage still;
     private final Footage path;
-    private Drawn exact;
-    private boolean[] nearEdges;
+    /** The displayed light of the exact still picture; {@code null} before it is drawn. */
+    private LinearPicture exactStill;
 
-    /** The displayed light of one shot: the still picture, and the frames along the path. */
-    private record Drawn(LinearPicture still, List<LinearPicture> path) {}
+    private List<LinearPicture> exactPath;
+    private boolean[] nearEdges;
 
     private EdgeExperiment(TradeSite site, List<PictureSetting> settings) {
         this.site = site;
@@ -75,31 +74,28 @@ public final class EdgeExperiment implements Experiment {
 
     @Override
     public Judgement judge(int setting) {
-        Drawn wanted = reference();
-        Drawn test = drawn(pictures.shot(setting), 1);
-        ErrorMap flip = Flip.ofDisplayed(wanted.still(), test.still());
-        List<Double> figures = List.of(
-                Shimmer.of(wanted.path(), test.path()),
-                ImageError.rootMeanSquare(wanted.still(), test.still(), nearEdges),
-                flip.quantile(0.99));
-        return new Judgement(flip.mean(), figures, shown(test.still()), flip);
-    }
-
-    private Drawn drawn(Shot shot, int side) {
-        try (var renderer = pictures.renderer(shot)) {
-            return new Drawn(
-                    still.displayed(site.gl(), renderer, side).get(0), path.displayed(site.gl(), renderer, side));
+        drawExact();
+        try (var renderer = pictures.renderer(pictures.shot(setting))) {
+            LinearPicture test = still.displayed(site.gl(), renderer, 1).get(0);
+            ErrorMap flip = Flip.ofDisplayed(exactStill, test);
+            List<Double> figures = List.of(
+                    ImageError.shimmer(exactPath, path.displayed(site.gl(), renderer, 1)),
+                    ImageError.rootMeanSquare(exactStill, test, nearEdges),
+                    flip.quantile(0.99));
+            return new Judgement(flip.mean(), figures, shown(test), flip);
         }
     }
 
-    /** Returns the exact pictures; drawn at the first call, because all settings share them. */
-    private Drawn reference() {
-        if (exact == null) {
-            Shot shot = pictures.shot(0).set("samples", 1).set("edgeFilter", "none");
-            exact = drawn(shot, EXACT_SIDE);
+    /** Draws the exact pictures at the first call, because all settings have the same. */
+    private void drawExact() {
+        if (exactStill == null) {
+            try (var renderer =
+                    pictures.renderer(pictures.shot(0).set("samples", 1).set("edgeFilter", "none"))) {
+                exactStill = still.displayed(site.gl(), renderer, EXACT_SIDE).get(0);
+                exactPath = path.displayed(site.gl(), renderer, EXACT_SIDE);
+            }
             nearEdges = nearEdges();
         }
-        return exact;
     }
 
     /** Returns the pixels of the still picture within a pixel of the edge of a surface. */
@@ -115,7 +111,8 @@ public final class EdgeExperiment implements Experiment {
 
     @Override
     public BufferedImage exact() {
-        return shown(reference().still());
+        drawExact();
+        return shown(exactStill);
     }
 
     private BufferedImage shown(LinearPicture picture) {

@@ -15,7 +15,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
@@ -37,7 +37,7 @@ final class PictureExperiment implements Experiment {
     PictureExperiment(TradeSite site, List<PictureSetting> settings, ComparedValues compared) {
         this.site = site;
         this.compared = compared;
-        usual = new Shot(site.level(), Outputs.defaultFor(site.level()), "high", Map.of());
+        usual = new Shot(site.level(), QualityChoice.defaultOutput(site.level()), "high", Map.of());
         settings.forEach(setting -> shots.add(setting.change().apply(usual)));
         picture = RenderTarget.picture(
                 site.gl(),

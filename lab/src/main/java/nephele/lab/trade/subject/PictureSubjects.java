@@ -9,7 +9,7 @@ import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** Parameters of the drawing of a level; most are judged by the difference from the reference tracer's picture. */
+/** Parameters of the drawing of a level and of views through its portals; most are judged by the difference from the reference tracer's picture. */
 public final class PictureSubjects {
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
     private static final String REFERENCE = "the oracle: rays through the level, many a pixel";
@@ -64,7 +64,52 @@ public final class PictureSubjects {
                     "The same among ten thousand boxes, most of them out of view.",
                     REFERENCE));
 
+    private static final String PORTAL_TECHNIQUE_FIELD = "portalTechnique";
+    private static final String PORTAL_RESOLUTION_FIELD = "portalResolution";
+    private static final String PORTAL_REFERENCE = "the oracle: rays go through portals without a limit that shows";
+
+    public static final Trade PORTAL_TECHNIQUE = setting(
+            PORTAL_TECHNIQUE_FIELD,
+            PORTAL_REFERENCE,
+            List.of(
+                    PictureSetting.of(PORTAL_TECHNIQUE_FIELD, "stencil"),
+                    PictureSetting.of(PORTAL_TECHNIQUE_FIELD, "texture", "a picture of its own"),
+                    PictureSetting.of(PORTAL_TECHNIQUE_FIELD, "copy", "the whole frame buffer copied, for each view"),
+                    PictureSetting.of(PORTAL_TECHNIQUE_FIELD, "copy_area", "the opening's part copied")));
+
+    public static final Trade PORTAL_BUDGET = setting(
+            "viewBudget",
+            PORTAL_REFERENCE,
+            Stream.concat(
+                            Stream.of(PictureSetting.of("viewBudget", 0, "openings stay closed")),
+                            PictureSetting.all("viewBudget", 1, 2, 3, 6, 9, 12, 32).stream())
+                    .toList());
+
+    public static final Trade PORTAL_BUDGET_BETWEEN_FACING = PORTAL_BUDGET.in(
+            "levels/samples/facing-portals.json",
+            "viewBudgetFacing",
+            new Trade.Text(
+                    "Views between facing portals",
+                    "The same knob where it matters most: in the sample of two portals that face each other, which"
+                            + " repeat until a view is smaller than a pixel.",
+                    PORTAL_REFERENCE));
+
+    public static final Trade PORTAL_RESOLUTION = of(
+            PORTAL_RESOLUTION_FIELD,
+            text(PORTAL_RESOLUTION_FIELD, PORTAL_REFERENCE),
+            List.of(PORTAL_RESOLUTION_FIELD),
+            "stencil",
+            Stream.concat(
+                            Stream.of("0.25", "0.5", "0.7", "1").map(PictureSubjects::portalResolution),
+                            Stream.of(PictureSetting.of(PORTAL_TECHNIQUE_FIELD, "stencil")))
+                    .toList());
+
     private PictureSubjects() {}
+
+    private static PictureSetting portalResolution(String fraction) {
+        return new PictureSetting(Setting.of(fraction), shot -> shot.set(PORTAL_TECHNIQUE_FIELD, "texture")
+                .set(PORTAL_RESOLUTION_FIELD, fraction));
+    }
 
     /** Returns the description of a setting's subject, by its declaration. */
     static Trade.Text text(String setting, String exact) {

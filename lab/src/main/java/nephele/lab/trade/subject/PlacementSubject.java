@@ -7,7 +7,6 @@ import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementResult;
-import nephele.engine.portal.placement.ShotRay;
 import nephele.lab.placement.RandomWall;
 import nephele.lab.placement.RectangleQuestion;
 import nephele.lab.placement.WallShot;
@@ -43,25 +42,12 @@ public final class PlacementSubject implements Experiment {
             null,
             site -> new PlacementSubject());
 
-    private final List<Question> questions = new ArrayList<>();
+    private final List<RectangleQuestion> questions = new ArrayList<>();
+    /** For each question the exact search, at the aimed place only. */
+    private final List<Placement> exact = new ArrayList<>();
 
     /** Uses the result, so that the compiler cannot eliminate the timed code. */
     private int accepted;
-
-    /** A rectangle at the aimed place, prepared for both tests, with the true answer from clipped areas. */
-    private record Question(RectangleQuestion rectangle, Placement fixed) {
-        static Question of(WallShot shot) {
-            RectangleQuestion asked = RectangleQuestion.of(shot);
-            Gun fixed = new Gun(asked.rectangle(), shot.gun.rangeMetres(), 0);
-            return new Question(asked, new Placement(shot.wall.surfaces(), fixed));
-        }
-
-        /** Returns the exact search's answer for the aimed place only. */
-        boolean fits() {
-            ShotRay aim = rectangle.shot().aim;
-            return fixed.place("shot", aim, List.of(), Obstacles.NONE) instanceof PlacementResult.Fits;
-        }
-    }
 
     /** Asks on walls without columns, because the four lines consider only triangles. */
     private PlacementSubject() {
@@ -69,7 +55,10 @@ public final class PlacementSubject implements Experiment {
             var random = new SplittableRandom(seed);
             WallShot shot = new WallShot(RandomWall.of(random), random);
             if (shot.wall.soup() != null && shot.wall.columns().isEmpty()) {
-                questions.add(Question.of(shot));
+                RectangleQuestion asked = RectangleQuestion.of(shot);
+                questions.add(asked);
+                Gun fixed = new Gun(asked.rectangle(), shot.gun.rangeMetres(), 0);
+                exact.add(new Placement(shot.wall.surfaces(), fixed));
             }
         }
     }
@@ -81,7 +70,7 @@ public final class PlacementSubject implements Experiment {
         int yes = 0;
         int wrongYes = 0;
         for (int question = 0; question < questions.size(); question++) {
-            boolean fits = questions.get(question).rectangle.fits();
+            boolean fits = questions.get(question).fits();
             boolean answer = answer(setting, question);
             fitting += fits ? 1 : 0;
             refused += fits && !answer ? 1 : 0;
@@ -94,8 +83,11 @@ public final class PlacementSubject implements Experiment {
     }
 
     private boolean answer(int setting, int question) {
-        Question asked = questions.get(question);
-        return setting == 0 ? asked.rectangle.byFourLines() : asked.fits();
+        RectangleQuestion asked = questions.get(question);
+        return setting == 0
+                ? asked.byFourLines()
+                : exact.get(question).place("shot", asked.shot().aim, List.of(), Obstacles.NONE)
+                        instanceof PlacementResult.Fits;
     }
 
     @Override

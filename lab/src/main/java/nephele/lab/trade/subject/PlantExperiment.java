@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Billboards.Facing;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Shimmer;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
@@ -63,10 +63,10 @@ final class PlantExperiment implements Experiment {
     private final PictureExperiment pictures;
     private final Footage turning;
     private final Footage moving;
-    private Filmed exact;
+    /** The displayed light of meshes along the two paths; {@code null} before the first judgement. */
+    private List<LinearPicture> exactTurning;
 
-    /** The displayed light along the two paths. */
-    private record Filmed(List<LinearPicture> turning, List<LinearPicture> moving) {}
+    private List<LinearPicture> exactMoving;
 
     /** @param planted of a level with impostors */
     PlantExperiment(TradeSite planted) {
@@ -85,24 +85,21 @@ final class PlantExperiment implements Experiment {
     @Override
     public Judgement judge(int setting) {
         Judgement still = pictures.judge(setting);
-        Filmed test = filmed(pictures.shot(setting), 1);
+        drawExact();
         List<Double> figures = new ArrayList<>(still.figures());
-        figures.add(Shimmer.of(reference().turning(), test.turning()));
-        figures.add(Shimmer.of(reference().moving(), test.moving()));
+        try (var renderer = pictures.renderer(pictures.shot(setting))) {
+            figures.add(ImageError.shimmer(exactTurning, turning.displayed(site.gl(), renderer, 1)));
+            figures.add(ImageError.shimmer(exactMoving, moving.displayed(site.gl(), renderer, 1)));
+        }
         return new Judgement(still.error(), List.copyOf(figures), still.shown(), still.map());
     }
 
-    private Filmed reference() {
-        if (exact == null) {
-            exact = filmed(pictures.shot(Technique.MESHES.ordinal()), EXACT_SIDE);
-        }
-        return exact;
-    }
-
-    private Filmed filmed(Shot shot, int side) {
-        try (var renderer = pictures.renderer(shot)) {
-            return new Filmed(
-                    turning.displayed(site.gl(), renderer, side), moving.displayed(site.gl(), renderer, side));
+    private void drawExact() {
+        if (exactTurning == null) {
+            try (var renderer = pictures.renderer(pictures.shot(Technique.MESHES.ordinal()))) {
+                exactTurning = turning.displayed(site.gl(), renderer, EXACT_SIDE);
+                exactMoving = moving.displayed(site.gl(), renderer, EXACT_SIDE);
+            }
         }
     }
 

@@ -28,14 +28,15 @@ final class ReportCulling {
     }
 
     private final Set<Fault> faults;
-    private final List<Placed> models = new ArrayList<>();
+    /** For each model the steps of all enclosing groups, the outermost first. */
+    private final List<List<Step>> steps = new ArrayList<>();
+    /** For each model its sphere before the steps. */
+    private final List<BoundingSphere> spheres = new ArrayList<>();
+
     private final Vector3d place = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
     private final Vector3d scale = new Vector3d();
     private final Vector3d centre = new Vector3d();
-
-    /** @param steps of all enclosing groups, the outermost first */
-    private record Placed(List<Step> steps, Vec3 centre, double radius) {}
 
     ReportCulling(XmlScene scene, StillLife.Generated files, Set<Fault> faults) {
         this.faults = faults.isEmpty() ? EnumSet.noneOf(Fault.class) : EnumSet.copyOf(faults);
@@ -43,34 +44,36 @@ final class ReportCulling {
     }
 
     private void add(XmlGroup group, List<Step> above, StillLife.Generated files) {
-        List<Step> steps = new ArrayList<>(above);
-        steps.addAll(group.steps());
-        group.models().forEach(model -> models.add(placed(steps, files.mesh(model))));
-        group.groups().forEach(below -> add(below, steps, files));
+        List<Step> down = new ArrayList<>(above);
+        down.addAll(group.steps());
+        group.models().forEach(model -> {
+            steps.add(down);
+            spheres.add(sphere(files.mesh(model)));
+        });
+        group.groups().forEach(below -> add(below, down, files));
     }
 
-    private Placed placed(List<Step> steps, Mesh mesh) {
+    private BoundingSphere sphere(Mesh mesh) {
         if (faults.contains(Fault.LARGEST_COORDINATE)) {
             double largest = 0;
             for (float coordinate : mesh.positions()) {
                 largest = Math.max(largest, Math.abs(coordinate));
             }
-            return new Placed(steps, Vec3.ZERO, largest);
+            return new BoundingSphere(Vec3.ZERO, largest);
         }
-        BoundingSphere sphere = BoundingSphere.of(mesh);
-        return new Placed(steps, sphere.centre(), sphere.radius());
+        return BoundingSphere.of(mesh);
     }
 
     /** Returns true if the model is kept. */
     boolean keeps(int model, double seconds, View view) {
-        Placed placed = models.get(model);
+        BoundingSphere sphere = spheres.get(model);
         place.set(0);
         turn.identity();
         scale.set(1);
-        placed.steps.forEach(step -> apply(step, seconds));
-        Vec3 c = placed.centre;
+        steps.get(model).forEach(step -> apply(step, seconds));
+        Vec3 c = sphere.centre();
         turn.transform(centre.set(c.x(), c.y(), c.z()).mul(scale)).add(place);
-        double radius = placed.radius * Math.max(scale.x, Math.max(scale.y, scale.z));
+        double radius = sphere.radius() * Math.max(scale.x, Math.max(scale.y, scale.z));
         return isInside(view, radius);
     }
 

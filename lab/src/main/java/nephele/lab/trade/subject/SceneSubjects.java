@@ -4,12 +4,16 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
+import nephele.engine.asset.Picture;
+import nephele.engine.model.Mesh;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
-import nephele.lab.trade.subject.XmlPictureExperiment.Way;
+import nephele.lab.trade.subject.XmlPictureExperiment.Variant;
+import nephele.scenes.fixed.SceneFiles;
 import nephele.scenes.fixed.Shading;
+import nephele.scenes.xml.XmlModel;
 import nephele.scenes.xml.XmlScene;
 
 /** Parameters of XML scenes: where lighting is evaluated, how finely surfaces are tessellated, the normals of cones. */
@@ -33,7 +37,7 @@ public final class SceneSubjects {
                     new Setting("gouraud", "as OpenGL did it; highlights smear over a triangle"),
                     new Setting("phong", "blends the normals and lights each pixel")),
             files -> Stream.of(Shading.FLAT, Shading.GOURAUD, Shading.PHONG)
-                    .map(shading -> new Way(StillLife.of(USUAL_SLICES), files, shading))
+                    .map(shading -> new Variant(StillLife.of(USUAL_SLICES), files, shading))
                     .toList(),
             StillLife::of);
 
@@ -53,7 +57,7 @@ public final class SceneSubjects {
                     Setting.of("64"),
                     new Setting("128", "some triangles as small as pixels")),
             files -> Stream.of(4, 8, 16, 32, 64, 128)
-                    .map(slices -> new Way(StillLife.of(slices), files, Shading.GOURAUD))
+                    .map(slices -> new Variant(StillLife.of(slices), files, Shading.GOURAUD))
                     .toList(),
             StillLife::of);
 
@@ -69,12 +73,49 @@ public final class SceneSubjects {
             List.of(
                     new Setting("report", "radius 1, height 2: 63° off at the tip, 15° halfway up"),
                     new Setting("exact", "the generator's")),
-            files -> Stream.of(new ReportCones(files), files)
-                    .map(cones -> new Way(StillLife.cones(CONE_SLICES), cones, Shading.PHONG))
+            files -> Stream.of(withReportCones(files), files)
+                    .map(cones -> new Variant(StillLife.cones(CONE_SLICES), cones, Shading.PHONG))
                     .toList(),
             StillLife::cones);
 
     private SceneSubjects() {}
+
+    /** Returns the same meshes, but the sides of cones have the normals of the scene-engine report. */
+    private static SceneFiles withReportCones(SceneFiles files) {
+        return new SceneFiles() {
+            @Override
+            public Mesh mesh(XmlModel model) {
+                String[] name = model.file().split("_");
+                Mesh mesh = files.mesh(model);
+                return name[0].equals("cone")
+                        ? withReportNormals(mesh, Double.parseDouble(name[1]), Double.parseDouble(name[2]))
+                        : mesh;
+            }
+
+            @Override
+            public Picture picture(XmlModel model) {
+                return files.picture(model);
+            }
+        };
+    }
+
+    /**
+     * The report's side normal is (r sin a, cos(atan(h / R)), r cos a), with the radius r at the point; it is not of
+     * unit length.
+     */
+    static Mesh withReportNormals(Mesh cone, double radius, double height) {
+        float[] normals = cone.normals().clone();
+        float up = (float) Math.cos(Math.atan(height / radius));
+        for (int i = 0; i < normals.length; i += 3) {
+            boolean isSide = normals[i + 1] > 0;
+            if (isSide) {
+                normals[i] = cone.positions()[i];
+                normals[i + 1] = up;
+                normals[i + 2] = cone.positions()[i + 2];
+            }
+        }
+        return new Mesh(cone.positions(), normals, cone.textureCoordinates(), cone.indices());
+    }
 
     /** @param scene makes a scene from a number of slices */
     private static Trade of(
@@ -82,7 +123,7 @@ public final class SceneSubjects {
             Trade.Text text,
             int usual,
             List<Setting> settings,
-            Function<StillLife.Generated, List<Way>> ways,
+            Function<StillLife.Generated, List<Variant>> variants,
             IntFunction<XmlScene> scene) {
         return new Trade(
                 subject,
@@ -96,8 +137,8 @@ public final class SceneSubjects {
                 null,
                 site -> {
                     var files = new StillLife.Generated();
-                    var exact = new Way(scene.apply(EXACT_SLICES), files, Shading.PHONG);
-                    return new XmlPictureExperiment(site, exact, ways.apply(files));
+                    var exact = new Variant(scene.apply(EXACT_SLICES), files, Shading.PHONG);
+                    return new XmlPictureExperiment(site, exact, variants.apply(files));
                 });
     }
 }

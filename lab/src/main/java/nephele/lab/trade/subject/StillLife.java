@@ -31,33 +31,23 @@ final class StillLife {
             </world>
             """;
 
-    private static final String PLACED =
+    /** Position, size and tilt about x, in degrees. */
+    private static final String TRANSFORM =
             """
-            <group>
-              <transform>
-                <translate x="%1$s" y="%2$s" z="%3$s"/><scale x="%4$s" y="%4$s" z="%4$s"/>
-                <rotate angle="%5$s" x="1" y="0" z="0"/>
-              </transform>
-              <models><model file="%6$s.3d"><color>
-                <diffuse R="%7$d" G="%8$d" B="%9$d"/><ambient R="24" G="24" B="30"/>
-                <specular R="%10$d" G="%10$d" B="%10$d"/><emissive R="0" G="0" B="0"/><shininess value="%11$d"/>
-              </color></model></models>
-            </group>
+            <transform>
+              <translate x="%1$s" y="%2$s" z="%3$s"/><scale x="%4$s" y="%4$s" z="%4$s"/>
+              <rotate angle="%5$s" x="1" y="0" z="0"/>
+            </transform>
             """;
 
-    /**
-     * The placement of a model.
-     *
-     * @param tiltDegrees about x
-     */
-    private record Place(double x, double y, double z, double scale, double tiltDegrees) {}
-
-    /**
-     * The material of a model.
-     *
-     * @param rgb from 0 to 255 each
-     */
-    private record Look(int[] rgb, int shininess) {}
+    /** Red, green, blue and highlight from 0 to 255 each, and shininess. */
+    private static final String COLOUR =
+            """
+            <color>
+              <diffuse R="%1$d" G="%2$d" B="%3$d"/><ambient R="24" G="24" B="30"/>
+              <specular R="%4$d" G="%4$d" B="%4$d"/><emissive R="0" G="0" B="0"/><shininess value="%5$d"/>
+            </color>
+            """;
 
     private StillLife() {}
 
@@ -66,45 +56,40 @@ final class StillLife {
         int parts = Math.max(1, slices / 4);
         String cut = "_" + slices + "_" + slices;
         return read(floor(parts)
-                + model("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
-                + model("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
-                + model("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
-                + model("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
+                + model("sphere_1" + cut, at(-2.1, 0.8, 0.3, 0.8), colour(60, 70, 110, 190))
+                + model("torus_0.7_0.32" + cut, at(2.2, 0.32, 0.6, 1), colour(40, 190, 80, 50))
+                + model("cone_0.8_2.2" + cut, at(1.4, 0, -1.5, 1), colour(20, 90, 160, 80))
+                + model("bezier_" + parts, at(0, 0, 0, 0.42, -90), colour(90, 200, 160, 70)));
     }
 
     /** Returns a scene of three cones: slender, as wide as high, flat. */
     static XmlScene cones(int slices) {
         String cut = "_" + slices + "_16";
         return read(floor(1)
-                + model("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
-                + model("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
-                + model("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
+                + model("cone_0.6_2.4" + cut, at(-2.2, 0, 0, 1), colour(40, 190, 80, 50))
+                + model("cone_1_2" + cut, at(0, 0, 0, 1), colour(40, 90, 160, 80))
+                + model("cone_1.2_0.8" + cut, at(2.5, 0, 0, 1), colour(40, 70, 110, 190)));
     }
 
     private static String floor(int divisions) {
-        return model("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
+        return model("plane_9_" + divisions, at(0, 0, 0, 1), colour(0, 120, 115, 110));
     }
 
-    private static Look look(int shininess, int... rgb) {
-        return new Look(rgb, shininess);
+    private static String at(double x, double y, double z, double scale) {
+        return at(x, y, z, scale, 0);
     }
 
-    private static String model(String shape, Place at, Look look) {
-        int gloss = look.shininess > 0 ? 200 : 0;
-        return String.format(
-                Locale.ROOT,
-                PLACED,
-                at.x,
-                at.y,
-                at.z,
-                at.scale,
-                at.tiltDegrees,
-                shape,
-                look.rgb[0],
-                look.rgb[1],
-                look.rgb[2],
-                gloss,
-                look.shininess);
+    private static String at(double x, double y, double z, double scale, double tiltDegrees) {
+        return String.format(Locale.ROOT, TRANSFORM, x, y, z, scale, tiltDegrees);
+    }
+
+    private static String colour(int shininess, int red, int green, int blue) {
+        return String.format(Locale.ROOT, COLOUR, red, green, blue, shininess > 0 ? 200 : 0, shininess);
+    }
+
+    private static String model(String shape, String transform, String colour) {
+        return "<group>" + transform + "<models><model file=\"" + shape + ".3d\">" + colour
+                + "</model></models></group>";
     }
 
     private static XmlScene read(String models) {

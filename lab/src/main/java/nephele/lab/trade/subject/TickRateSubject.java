@@ -2,14 +2,19 @@ package nephele.lab.trade.subject;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
@@ -17,7 +22,10 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** The option {@code --ticks-per-second}. */
+/**
+ * The option {@code --ticks-per-second}. A walk is a function of time instead of ticks, so that every rate can run it: a
+ * new move intent every half second, on a beat of the slowest rate.
+ */
 public final class TickRateSubject implements Experiment {
     static final int[] RATES = {30, 60, 120, 240};
 
@@ -27,6 +35,13 @@ public final class TickRateSubject implements Experiment {
     private static final String COURSE = "levels/samples/walking.json";
     private static final int EXACT_RATE = 960;
     private static final int WALKS = 40;
+    private static final int WALK_SECONDS = 3;
+    private static final int BEATS_PER_SECOND = 30;
+    private static final int BEATS_PER_INTENT = 15;
+    private static final int INTENTS = WALK_SECONDS * BEATS_PER_SECOND / BEATS_PER_INTENT;
+
+    /** A multiple of every number of ticks in a beat, so that a turn divides evenly among them. */
+    private static final int TURN_STEP_MILLIDEGREES = 32;
 
     public static final Trade TRADE = new Trade(
             "tickRate",
@@ -44,13 +59,13 @@ public final class TickRateSubject implements Experiment {
             2,
             new ErrorMetric("median deviation of a walk", "mm", 0.1, TENTH_OF_A_BODY_MM),
             List.of("deviation of the worst walk, mm", "jump too low by, mm"),
-            new CostMetric("CPU a simulated second", "µs", 1e3, ScriptedWalk.SECONDS, CostMetric.Clock.THREAD),
+            new CostMetric("CPU a simulated second", "µs", 1e3, WALK_SECONDS, CostMetric.Clock.THREAD),
             null,
             site -> new TickRateSubject());
 
     private final Level course = LevelFile.open(COURSE).level();
     private final List<Simulation> simulations = new ArrayList<>();
-    private final ScriptedWalk timed = ScriptedWalk.random(0);
+    private final List<PlayerInput> timed = randomWalk(0);
     private List<List<Vec3>> exact;
 
     private TickRateSubject() {
@@ -74,14 +89,17 @@ public final class TickRateSubject implements Experiment {
             deviations[walk] = 1e3 * greatestDistance(exact.get(walk), walked.get(walk));
         }
         Arrays.sort(deviations);
-        double apex = ScriptedWalk.jump().highest(simulations.get(setting));
+        double apex = feet(simulations.get(setting), jump(), 1).stream()
+                .mapToDouble(Vec3::y)
+                .max()
+                .orElseThrow();
         return Judgement.of(deviations[WALKS / 2], deviations[WALKS - 1], 1e3 * (PlayerDimensions.JUMP_METRES - apex));
     }
 
     private static List<List<Vec3>> walks(Simulation simulation) {
         List<List<Vec3>> walks = new ArrayList<>();
         for (int seed = 0; seed < WALKS; seed++) {
-            walks.add(ScriptedWalk.random(seed).feet(simulation));
+            walks.add(feetOnBeats(simulation, randomWalk(seed)));
         }
         return walks;
     }
@@ -96,6 +114,52 @@ public final class TickRateSubject implements Experiment {
 
     @Override
     public void run(int setting) {
-        timed.feet(simulations.get(setting));
+        feetOnBeats(simulations.get(setting), timed);
+    }
+
+    /** Returns an input for each intent, whose turn is that of a beat. */
+    private static List<PlayerInput> randomWalk(long seed) {
+        var random = new SplittableRandom(seed);
+        List<PlayerInput> walk = new ArrayList<>();
+        for (int i = 0; i < INTENTS; i++) {
+            int forward = random.nextInt(4) == 0 ? 0 : 100;
+            int right = random.nextInt(3) == 0 ? random.nextInt(-1, 2) * 100 : 0;
+            int turn = random.nextInt(-60, 61) * TURN_STEP_MILLIDEGREES;
+            var input = PlayerInput.NONE.walking(forward, right).turning(turn, 0);
+            walk.add(random.nextInt(3) == 0 ? input.holding(Action.JUMP) : input);
+        }
+        return walk;
+    }
+
+    /** Returns a walk that stands, jumps once and stands again. */
+    private static List<PlayerInput> jump() {
+        List<PlayerInput> walk = new ArrayList<>(Collections.nCopies(INTENTS, PlayerInput.NONE));
+        walk.set(1, PlayerInput.NONE.holding(Action.JUMP));
+        return walk;
+    }
+
+    private static List<Vec3> feetOnBeats(Simulation simulation, List<PlayerInput> walk) {
+        return feet(simulation, walk, ticksPerBeat(simulation));
+    }
+
+    private static int ticksPerBeat(Simulation simulation) {
+        return simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
+    }
+
+    /** Returns the positions of the feet after every so many ticks. */
+    private static List<Vec3> feet(Simulation simulation, List<PlayerInput> walk, int ticks) {
+        int ticksPerBeat = ticksPerBeat(simulation);
+        List<Vec3> feet = new ArrayList<>();
+        SimState state = simulation.start();
+        for (PlayerInput intent : walk) {
+            var input = intent.turning(intent.turnLeftMillidegrees() / ticksPerBeat, 0);
+            for (int tick = 1; tick <= BEATS_PER_INTENT * ticksPerBeat; tick++) {
+                state = simulation.step(state, input);
+                if (tick % ticks == 0) {
+                    feet.add(state.player().feet());
+                }
+            }
+        }
+        return feet;
     }
 }

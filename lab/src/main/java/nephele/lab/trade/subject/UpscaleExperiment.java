@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.measure.Overshoot;
-import nephele.engine.measure.Shimmer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -53,15 +52,28 @@ final class UpscaleExperiment implements Experiment {
 
     @Override
     public Judgement judge(int setting) {
-        List<Drawn> drawn = levels.stream().map(level -> level.drawn(setting)).toList();
+        List<LinearPicture> stills = new ArrayList<>();
+        List<ErrorMap> flips = new ArrayList<>();
+        List<Double> shimmers = new ArrayList<>();
+        for (InLevel level : levels) {
+            try (var renderer = level.pictures.renderer(level.pictures.shot(setting))) {
+                LinearPicture still =
+                        level.still.displayed(site.gl(), renderer, 1).get(0);
+                stills.add(still);
+                flips.add(Flip.ofDisplayed(level.whole, still));
+                shimmers.add(ImageError.shimmer(level.exactPath, level.path.displayed(site.gl(), renderer, 1)));
+            }
+        }
+        List<Double> errors = flips.stream().map(ErrorMap::mean).toList();
         List<Double> figures = new ArrayList<>();
-        figures.add(drawn.stream().mapToDouble(Drawn::shimmer).average().orElseThrow());
+        figures.add(mean(shimmers));
         figures.add((double) levels.get(0).halo(setting));
-        drawn.forEach(each -> figures.add(each.flip().mean()));
-        double mean =
-                drawn.stream().mapToDouble(each -> each.flip().mean()).average().orElseThrow();
-        Drawn first = drawn.get(0);
-        return new Judgement(mean, figures, levels.get(0).shown(first.still()), first.flip());
+        figures.addAll(errors);
+        return new Judgement(mean(errors), figures, levels.get(0).shown(stills.get(0)), flips.get(0));
+    }
+
+    private static double mean(List<Double> values) {
+        return values.stream().mapToDouble(Double::doubleValue).average().orElseThrow();
     }
 
     @Override
@@ -80,17 +92,14 @@ final class UpscaleExperiment implements Experiment {
         levels.forEach(level -> level.pictures.close());
     }
 
-    /** A setting in one of the levels. */
-    private record Drawn(LinearPicture still, ErrorMap flip, double shimmer) {}
-
     /** The settings in one of the levels. */
     private static final class InLevel {
         final PictureExperiment pictures;
         final LinearPicture whole;
         private final TradeSite site;
-        private final Footage still;
-        private final Footage path;
-        private final List<LinearPicture> exactPath;
+        final Footage still;
+        final Footage path;
+        final List<LinearPicture> exactPath;
 
         InLevel(TradeSite site, List<PictureSetting> settings) {
             this.site = site;
@@ -101,16 +110,6 @@ final class UpscaleExperiment implements Experiment {
             try (var renderer = pictures.renderer(usual)) {
                 whole = still.displayed(site.gl(), renderer, 1).get(0);
                 exactPath = path.displayed(site.gl(), renderer, EXACT_SIDE);
-            }
-        }
-
-        Drawn drawn(int setting) {
-            try (var renderer = pictures.renderer(pictures.shot(setting))) {
-                LinearPicture picture = still.displayed(site.gl(), renderer, 1).get(0);
-                return new Drawn(
-                        picture,
-                        Flip.ofDisplayed(whole, picture),
-                        Shimmer.of(exactPath, path.displayed(site.gl(), renderer, 1)));
             }
         }
 
@@ -129,7 +128,8 @@ final class UpscaleExperiment implements Experiment {
                 int row = (int) ((pixel / still.width() + 0.5) * height / still.height());
                 System.arraycopy(small, 4 * (row * width + column), enlarged, 4 * pixel, 4);
             }
-            return Overshoot.codes(enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
+            return ImageError.overshoot(
+                    enlarged, stored(flat, still.width(), still.height()), still.width(), REACH_PIXELS);
         }
 
         private byte[] stored(Shot shot, int width, int height) {

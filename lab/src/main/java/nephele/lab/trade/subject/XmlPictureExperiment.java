@@ -6,10 +6,9 @@ import java.util.List;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.View;
+import nephele.lab.bench.SceneDrawing;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
@@ -18,47 +17,58 @@ import nephele.scenes.fixed.SceneAppearance;
 import nephele.scenes.fixed.SceneFiles;
 import nephele.scenes.fixed.Shading;
 import nephele.scenes.xml.XmlScene;
-import org.joml.Matrix4d;
 
-/** A scene drawn in several ways, compared with an exact drawing at 16 samples a pixel. */
+/** A scene drawn in several variants, compared with an exact drawing at 16 samples a pixel. */
 final class XmlPictureExperiment implements Experiment {
     static final List<String> FIGURES = List.of("relMSE", "mean bias %", "FLIP, 99th percentile of pixels");
 
     private static final int EXACT_SIDE = 4;
 
     private final TradeSite site;
-    private final Way exactWay;
-    private final List<Way> ways;
-    private final List<DrawnScene> drawn = new ArrayList<>();
+    private final Variant exactVariant;
+    private final List<Variant> variants;
+    private final List<SceneDrawing> drawn = new ArrayList<>();
     private LinearPicture exact;
 
     /** A way to generate and shade a scene. */
-    record Way(XmlScene scene, SceneFiles files, Shading shading) {}
+    record Variant(XmlScene scene, SceneFiles files, Shading shading) {}
 
-    XmlPictureExperiment(TradeSite site, Way exactWay, List<Way> ways) {
+    XmlPictureExperiment(TradeSite site, Variant exactVariant, List<Variant> variants) {
         this.site = site;
-        this.exactWay = exactWay;
-        this.ways = ways;
-        ways.forEach(way -> drawn.add(null));
+        this.exactVariant = exactVariant;
+        this.variants = variants;
+        variants.forEach(variant -> drawn.add(null));
     }
 
-    private DrawnScene scene(Way way, int side) {
+    private SceneDrawing scene(Variant variant, int side) {
         int width = side * site.extent().width();
         int height = side * site.extent().height();
-        var look = SceneAppearance.USUAL.with(way.shading());
-        return DrawnScene.of(site.gl(), way.scene(), way.files(), look, width, height);
+        var source = new FixedSceneDrawing.Source(variant.scene(), variant.files());
+        return new SceneDrawing(
+                site.gl(),
+                FixedSceneDrawing.load(site.gl(), new FixedSceneDrawing.Sources(source, null, null)),
+                FixedSceneDrawing.view(variant.scene().eye(), (double) width / height),
+                SceneAppearance.USUAL.with(variant.shading()),
+                RenderTarget.picture(site.gl(), "trade", PixelFormat.RGBA8, width, height),
+                1);
     }
 
-    private DrawnScene scene(int setting) {
+    /** Draws a scene and returns the light that a display emits. */
+    private static LinearPicture displayed(SceneDrawing scene) {
+        scene.draw(0);
+        return ComparedValues.DISPLAY.read(null, scene.picture());
+    }
+
+    private SceneDrawing scene(int setting) {
         if (drawn.get(setting) == null) {
-            drawn.set(setting, scene(ways.get(setting), 1));
+            drawn.set(setting, scene(variants.get(setting), 1));
         }
         return drawn.get(setting);
     }
 
     @Override
     public Judgement judge(int setting) {
-        LinearPicture test = scene(setting).displayed();
+        LinearPicture test = displayed(scene(setting));
         ErrorMap flip = Flip.ofDisplayed(reference(), test);
         site.gl().requireNoError("still life");
         return PictureExperiment.judgement(reference(), test, flip, ComparedValues.DISPLAY.shown(test, null));
@@ -66,8 +76,8 @@ final class XmlPictureExperiment implements Experiment {
 
     private LinearPicture reference() {
         if (exact == null) {
-            try (var fine = scene(exactWay, EXACT_SIDE)) {
-                exact = fine.displayed().reduced(EXACT_SIDE);
+            try (var fine = scene(exactVariant, EXACT_SIDE)) {
+                exact = displayed(fine).reduced(EXACT_SIDE);
             }
         }
         return exact;
@@ -80,44 +90,12 @@ final class XmlPictureExperiment implements Experiment {
 
     @Override
     public void run(int setting) {
-        scene(setting).draw();
+        scene(setting).draw(0);
         site.gl().finish();
     }
 
     @Override
     public void close() {
-        drawn.stream().filter(scene -> scene != null).forEach(DrawnScene::close);
-    }
-
-    /** An XML scene loaded for drawing in one way, with the picture that it is drawn into. */
-    private record DrawnScene(FixedSceneDrawing drawing, View view, SceneAppearance look, RenderTarget picture)
-            implements AutoCloseable {
-        private static final Matrix4d AT_HOME = new Matrix4d();
-
-        static DrawnScene of(
-                GlContext gl, XmlScene scene, SceneFiles files, SceneAppearance look, int width, int height) {
-            var source = new FixedSceneDrawing.Source(scene, files);
-            return new DrawnScene(
-                    FixedSceneDrawing.load(gl, new FixedSceneDrawing.Sources(source, null, null)),
-                    FixedSceneDrawing.view(scene.eye(), (double) width / height),
-                    look,
-                    RenderTarget.picture(gl, "trade", PixelFormat.RGBA8, width, height));
-        }
-
-        void draw() {
-            drawing.draw(view, 0, AT_HOME, look, picture);
-        }
-
-        /** Draws the scene and returns the light that a display emits. */
-        LinearPicture displayed() {
-            draw();
-            return ComparedValues.DISPLAY.read(null, picture);
-        }
-
-        @Override
-        public void close() {
-            drawing.close();
-            picture.close();
-        }
+        drawn.stream().filter(scene -> scene != null).forEach(SceneDrawing::close);
     }
 }

@@ -61,25 +61,23 @@ class ShaderConstantsTest {
             "CORNERS", List.of(-1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0));
 
     /** What only shaders have. */
-    private static final Set<String> OF_SHADERS =
-            Set.of(("muzzle.frag/GUN_DEPTH muzzle.frag/FAR billboard.vert/FADE_SHARE edges.frag/LEAST_DIFFERENCE"
-                + " smooth.frag/FARTHEST shadow-filter.glsl/FARTHEST atmosphere.frag/SEA_COUNT"
-                + " atmosphere.frag/RAYED_COUNT plant.frag/LIFT impostor.frag/LIFT ring.frag/STRIP_START"
-                + " ring.frag/STRIP_WIDTH ring.frag/CHEVRONS_PER_SECOND glow.frag/START glow.frag/WIDTH"
-                + " bolt.vert/NEAREST bolt.vert/WIDTH bolt.vert/THINNEST bolt.vert/MAIN billboard.vert/LIT_ASIDE"
-                + " skybox.frag/ENDLESS_KILOMETRES impostor.frag/FAINTEST particle.frag/SAMPLES spread.frag/STILL"
-                + " spread.frag/TRUSTED spread.frag/UNKNOWN shaft.frag/STEPS particle.vert/NEAREST"
-                + " cells.frag/LEAST_SHARE axes-cross.vert/FROM_CORNER air.glsl/AIR_MORE_THAN_RED air.glsl/AIR_BLOCKS"
-                + " air.glsl/SHAFT_DISTANCES finite.glsl/EXPONENT cloud-flash.glsl/FLASH_SOFTENING"
-                + " cloud-flash.glsl/FLASH_SURFACE puff-light.glsl/SIGHT_STEPS quad.glsl/LEAST_AHEAD"
-                + " cloud-pixel.glsl/THINNEST puff.glsl/MOST_DEVIATIONS held-look.glsl/EDGE_OPACITY"
-                + " held-look.glsl/LINE_SHARE held-look.glsl/FADE_SHARE fixed-light.glsl/LIGHT_TEXELS"
-                + " plant-light.glsl/ALL_DIRECTIONS impostor-texels.glsl/VIEW_EDGE impostor-texels.glsl/STEPS"
-                + " cloud-sheet.glsl/SHEET_STEPS cloud-sheet.glsl/FARTHEST_SHEET cloud-sheet.glsl/MESH_DIVISIONS"
-                + " cloud-sheet.glsl/MESH_CURVE cloud-span.glsl/NEVER puff-beam.glsl/BEAM_STEPS exit-curtain.glsl/VEIL"
-                + " exit-curtain.glsl/VEIL_COLOUR gun.vert/DEPTH_SHARE gun.vert/FILL gun.vert/LIGHT_SHARE"
-                + " gun.vert/OUTLINE")
-                    .split(" "));
+    private static final Set<String> OF_SHADERS = Set.of(("muzzle.frag/GUN_DEPTH muzzle.frag/FAR"
+        + " billboard.vert/FADE_SHARE edges.frag/LEAST_DIFFERENCE smooth.frag/FARTHEST shadow-filter.glsl/FARTHEST"
+        + " atmosphere.frag/SEA_COUNT atmosphere.frag/RAYED_COUNT plant.frag/LIFT impostor.frag/LIFT"
+        + " ring.frag/STRIP_START ring.frag/STRIP_WIDTH ring.frag/CHEVRONS_PER_SECOND glow.frag/START glow.frag/WIDTH"
+        + " bolt.vert/NEAREST bolt.vert/WIDTH bolt.vert/THINNEST bolt.vert/MAIN billboard.vert/LIT_ASIDE"
+        + " skybox.frag/ENDLESS_KILOMETRES impostor.frag/FAINTEST particle.frag/SAMPLES spread.frag/STILL"
+        + " spread.frag/TRUSTED spread.frag/UNKNOWN shaft.frag/STEPS particle.vert/NEAREST cells.frag/LEAST_SHARE"
+        + " axes-cross.vert/FROM_CORNER air.glsl/AIR_MORE_THAN_RED air.glsl/AIR_BLOCKS air.glsl/SHAFT_DISTANCES"
+        + " finite.glsl/EXPONENT cloud-flash.glsl/FLASH_SOFTENING cloud-flash.glsl/FLASH_SURFACE"
+        + " puff-light.glsl/SIGHT_STEPS quad.glsl/LEAST_AHEAD cloud-pixel.glsl/THINNEST puff.glsl/MOST_DEVIATIONS"
+        + " held-look.glsl/EDGE_OPACITY held-look.glsl/LINE_SHARE held-look.glsl/FADE_SHARE"
+        + " fixed-light.glsl/LIGHT_TEXELS plant-light.glsl/ALL_DIRECTIONS impostor-texels.glsl/VIEW_EDGE"
+        + " impostor-texels.glsl/STEPS cloud-sheet.glsl/SHEET_STEPS cloud-sheet.glsl/FARTHEST_SHEET"
+        + " cloud-sheet.glsl/MESH_DIVISIONS cloud-sheet.glsl/MESH_CURVE cloud-span.glsl/NEVER"
+        + " puff-beam.glsl/BEAM_STEPS exit-curtain.glsl/VEIL exit-curtain.glsl/VEIL_COLOUR gun.vert/DEPTH_SHARE"
+        + " gun.vert/FILL gun.vert/LIGHT_SHARE gun.vert/OUTLINE")
+            .split(" "));
 
     /** Java constants that are something else than the shader's constant of their name and value. */
     private static final Set<String> OTHERS =

@@ -3,11 +3,12 @@ package nephele.engine.render.pass.overlay;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.render.gl.DisplayColour;
 import org.junit.jupiter.api.Test;
 
 class OverlayCanvasTest {
-    private static final OverlayColour WHITE = OverlayColour.opaque(0xffffff);
-    private final OverlayCanvas canvas = new OverlayCanvas(new Lettering());
+    private static final DisplayColour WHITE = DisplayColour.opaque(0xffffff);
+    private final OverlayCanvas canvas = new OverlayCanvas(new FontAtlas());
 
     @Test
     void aRectangleIsMeasuredInPointsAndStoredInPixels() {

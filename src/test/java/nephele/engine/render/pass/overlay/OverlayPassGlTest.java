@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.render.gl.DisplayColour;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -14,8 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class OverlayPassGlTest {
-    private static final OverlayColour WHITE = OverlayColour.opaque(0xffffff);
-    private final Lettering lettering = new Lettering();
+    private static final DisplayColour WHITE = DisplayColour.opaque(0xffffff);
+    private final FontAtlas letters = new FontAtlas();
     private GlContext gl;
     private RenderTarget picture;
     private OverlayPass pass;
@@ -24,7 +25,7 @@ class OverlayPassGlTest {
     void open() {
         gl = GlContext.offscreen();
         picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 200, 100);
-        pass = new OverlayPass(gl, lettering);
+        pass = new OverlayPass(gl, letters);
         picture.clear(0, 0, 0);
     }
 
@@ -38,14 +39,14 @@ class OverlayPassGlTest {
     @Test
     void anEmptyCanvasBuildsNothing() {
         var before = gl.live().counts();
-        pass.draw(new OverlayCanvas(lettering), picture);
+        pass.draw(new OverlayCanvas(letters), picture);
         assertFalse(pass.isBuilt());
         assertEquals(before, gl.live().counts());
     }
 
     @Test
     void aRectangleCoversItsPixelsAndNoOther() {
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(1);
         canvas.rectangle(20, 10, 30, 40, WHITE);
         pass.draw(canvas, picture);
@@ -60,7 +61,7 @@ class OverlayPassGlTest {
 
     @Test
     void alphaMixesWithThePicture() {
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(1);
         canvas.rectangle(0, 0, 200, 100, WHITE.withAlpha(0.25));
         pass.draw(canvas, picture);
@@ -70,9 +71,9 @@ class OverlayPassGlTest {
     @Test
     void whatIsCoveredShinesThroughByTheRest() {
         picture.clear(1, 1, 1);
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(1);
-        canvas.rectangle(0, 0, 200, 100, OverlayColour.opaque(0).withAlpha(0.25));
+        canvas.rectangle(0, 0, 200, 100, DisplayColour.opaque(0).withAlpha(0.25));
         pass.draw(canvas, picture);
         assertEquals(191, picture.readBytes().get(0) & 255, 1);
     }
@@ -81,7 +82,7 @@ class OverlayPassGlTest {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.5, 2})
     void aStemHasTheInkOfItsPen(double scale) {
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(scale);
         canvas.text(20, 40, 40, WHITE, "|");
         pass.draw(canvas, picture);
@@ -93,7 +94,7 @@ class OverlayPassGlTest {
 
     @Test
     void theSameCanvasIsUploadedOnceAndAChangedOneAgain() {
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(1);
         canvas.rectangle(0, 0, 10, 10, WHITE);
         pass.draw(canvas, picture);
@@ -107,10 +108,10 @@ class OverlayPassGlTest {
     @Test
     void closingGivesEveryObjectBack() {
         var before = gl.live().counts();
-        var canvas = new OverlayCanvas(lettering);
+        var canvas = new OverlayCanvas(letters);
         canvas.begin(1);
         canvas.text(0, 20, 10, WHITE, "Olá");
-        try (var another = new OverlayPass(gl, lettering)) {
+        try (var another = new OverlayPass(gl, letters)) {
             another.draw(canvas, picture);
             assertTrue(another.isBuilt());
         }

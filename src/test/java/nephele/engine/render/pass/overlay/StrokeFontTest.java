@@ -34,7 +34,7 @@ class StrokeFontTest {
 
     @Test
     void theFieldIsTheDistanceToThePen() {
-        var atlas = FontAtlas.bake(StrokeFont.parse("l 0 M 0 0 L 0 70"));
+        var atlas = FontAtlas.of(StrokeFont.parse("l 0 M 0 0 L 0 70"));
         var cell = atlas.cell('l');
         int row = (int) FontAtlas.baselineTexels() + 20;
         double halfPen = StrokeFont.PEN_HUNDREDTHS / 200 * FontAtlas.TEXELS_PER_EM;
@@ -48,7 +48,7 @@ class StrokeFontTest {
 
     @Test
     void neighboursInTheAtlasDoNotTouch() {
-        var atlas = FontAtlas.bake(font);
+        var atlas = FontAtlas.of(font);
         for (var glyph : font.glyphs()) {
             var cell = atlas.cell(glyph.codePoint());
             for (int row = 0; row < cell.height(); row++) {
@@ -61,7 +61,7 @@ class StrokeFontTest {
 
     @Test
     void aLetterThatTheFontLacksIsAQuestionMark() {
-        var atlas = FontAtlas.bake(font);
+        var atlas = FontAtlas.of(font);
         assertEquals(atlas.cell('?'), atlas.cell(0x4e2d));
     }
 }

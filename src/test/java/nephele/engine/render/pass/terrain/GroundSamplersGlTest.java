@@ -8,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import java.util.TreeSet;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestTerrain;
@@ -55,7 +54,7 @@ class GroundSamplersGlTest {
         return TestTerrain.map(33, TestTerrain::wavy)
                 .picture("a.png", 4, 4, (x, y) -> 0x808080)
                 .picture("n.png", 4, 4, (x, y) -> 0x8080ff)
-                .file("layers.png", LayerMapFile.png(LayerMap.blank(4, 4)));
+                .file("layers.png", LayerMap.blank(4, 4).png());
     }
 
     /** Returns the names of the samplers of the program that reads a layer map. */

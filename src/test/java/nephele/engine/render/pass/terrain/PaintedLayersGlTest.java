@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -60,7 +59,7 @@ class PaintedLayersGlTest {
         return TestTerrain.map(70, TestTerrain::wavy)
                 .picture("a.png", 32, 32, (x, y) -> 0x010101 * wave(x))
                 .picture("b.png", 32, 32, (x, y) -> 0x010001 * wave(y) + 0x8000)
-                .file("layers.png", LayerMapFile.png(map));
+                .file("layers.png", map.png());
     }
 
     private static int wave(int at) {

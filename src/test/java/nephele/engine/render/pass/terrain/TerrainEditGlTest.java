@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.function.IntBinaryOperator;
 import java.util.stream.Stream;
 import nephele.engine.asset.LayerMap;
-import nephele.engine.asset.LayerMapFile;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
@@ -57,7 +56,7 @@ class TerrainEditGlTest {
         int middle = 2 * (side * (side / 2) + side / 2);
         map.texels()[middle] = 1;
         map.texels()[middle + 1] = (byte) 200;
-        return LayerMapFile.png(map);
+        return map.png();
     }
 
     /** Its records are the same in all versions, so that an edit changes the terrain alone. */

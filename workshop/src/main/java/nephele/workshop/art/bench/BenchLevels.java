@@ -6,11 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
+import nephele.engine.level.Billboards;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.Solid;
@@ -27,6 +29,11 @@ public final class BenchLevels {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Sky CLEAR_COLOUR = new Sky.Constant(new Vec3(0.4, 0.6, 0.9));
+    private static final double TREE_SPACING_METRES = 3;
+    private static final double SQUARE_METRES_PER_TREE = 25;
+
+    private static final double SPACING_METRES = 4;
+    private static final double TREE_METRES = 3;
     private static final List<String> SKY_FACES = List.of("px", "nx", "py", "ny", "pz", "nz");
 
     private BenchLevels() {}
@@ -97,7 +104,7 @@ public final class BenchLevels {
                 "case D: blended trees on a jittered grid of spacing 4 over one textured ground",
                 environment(null, CLEAR_COLOUR, ONE),
                 path(frame -> BenchPath.above(count, 4, frame)));
-        return BenchBillboards.planted(empty, count);
+        return planted(empty, count);
     }
 
     private static Level forest(int count) {
@@ -106,7 +113,7 @@ public final class BenchLevels {
                 "case F: " + count + " trees as impostors, 25 m² each, seen from the same place over the middle",
                 sunlit(),
                 path(BenchPath::forest));
-        return BenchBillboards.forest(empty, count);
+        return grown(empty, count);
     }
 
     private static List<Solid> grid(int count) {
@@ -133,5 +140,72 @@ public final class BenchLevels {
     /** Returns one round of a camera path. */
     static List<Camera.Waypoint> path(IntFunction<Camera.Waypoint> track) {
         return IntStream.range(0, BenchPath.FRAMES).mapToObj(track).toList();
+    }
+
+    /**
+     * Adds ground and trees as billboards.
+     *
+     * @param empty with light that leaves textures as they are
+     */
+    private static Level planted(Level empty, int count) {
+        Billboards trees = Billboards.at(
+                        "trees",
+                        "textures/bench/tree.png",
+                        Billboards.Facing.SPHERICAL,
+                        TREE_METRES,
+                        TREE_METRES,
+                        places(count))
+                .asBlended();
+        return empty.with(List.of(ground()), List.of(plain(2000))).withBillboards(List.of(trees));
+    }
+
+    /** Returns the material of the plain. */
+    private static Material ground() {
+        return new Material("ground", ONE, "textures/bench/ground.png", null, null, null, Vec3.ZERO, 8);
+    }
+
+    /**
+     * Returns level ground around the origin.
+     *
+     * @param side in metres
+     */
+    private static Solid plain(double side) {
+        return new Solid.Box(
+                "ground",
+                "ground",
+                false,
+                TextureMapping.WORLD,
+                new Vec3(0, -0.5, 0),
+                new Vec3(side, 1, side),
+                Map.of());
+    }
+
+    private static List<Vec3> places(int count) {
+        int side = BenchPath.side(count);
+        List<Vec3> places = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            float x =
+                    (i % side - (side - 1) / 2f + (BenchPixels.random(i, 0, 7) - 0.5f) * 0.7f) * (float) SPACING_METRES;
+            float z =
+                    (i / side - (side - 1) / 2f + (BenchPixels.random(i, 1, 7) - 0.5f) * 0.7f) * (float) SPACING_METRES;
+            places.add(new Vec3(x, 0, z));
+        }
+        return places;
+    }
+
+    /** Adds ground and trees as models around the origin. */
+    private static Level grown(Level empty, int count) {
+        double side = Math.sqrt(SQUARE_METRES_PER_TREE * count);
+        Material leaves = new Material("plants", ONE, "textures/plants.png", null, null, null, Vec3.ZERO, 1);
+        List<ModelPlacement> trees = new ArrayList<>();
+        trees.add(trees("oak", 1, 2 * count / 5));
+        trees.add(trees("fir", 2, 2 * count / 5));
+        trees.add(trees("birch", 3, count / 5));
+        return empty.with(List.of(ground(), leaves), List.of(plain(side)), List.of(), trees);
+    }
+
+    private static ModelPlacement trees(String kind, int seed, int count) {
+        return new ModelPlacement(kind, "models/plants/" + kind + ".3d", null, List.of(), "plants", false)
+                .over(new Billboards.Field(null, seed, count, TREE_SPACING_METRES, null, 90, null), 0.35);
     }
 }

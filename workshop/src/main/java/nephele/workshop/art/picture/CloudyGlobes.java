@@ -10,12 +10,25 @@ import nephele.workshop.art.paint.TileNoise;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Painters of planets that show only their atmosphere: bands, sheared by winds, and storms. */
+/** Painters of the sun, and of planets that show only their atmosphere: bands, sheared by winds, and storms. */
 final class CloudyGlobes {
     private static final int RING_SIDE = 256;
     private static final ColourRamp ICE = ColourRamp.of(0x4A4136, 0x7D6F5B, 0xA8977B, 0xCDBD9C, 0xE7DAbF);
 
     private CloudyGlobes() {}
+
+    /** Paints a star: granules of rising gas, bright veins around them and a few groups of spots. */
+    static Globe.Brush sun() {
+        ColourRamp fire = ColourRamp.of(0x8A2A06, 0xC64A0A, 0xEB7B14, 0xF9A828, 0xFFCB4E, 0xFFE58A, 0xFFF6CF);
+        SphereNoise gas = new SphereNoise(907);
+        return p -> {
+            double flow = gas.cloud(gas.warped(p, 3, 4, 0.25), 2.4, 5);
+            double grains = gas.ridges(gas.warped(p, 6, 2, 0.06), 13, 2);
+            double belt = 1 - Shapes.ramp(0.25, 0.55, Math.abs(p.y()));
+            double spots = belt * Shapes.ramp(0.5, 0.66, gas.cloud(p, 4.2, 3) + 0.1 * grains);
+            return fire.at(0.6 + 0.26 * flow + 0.22 * (grains - 0.45)).mix(fire.at(0.05), 0.85 * spots);
+        };
+    }
 
     static Globe.Brush venus() {
         ColourRamp clouds = ColourRamp.of(0xA9783F, 0xCFA263, 0xE6C890, 0xF1DFB8, 0xF8EED6);

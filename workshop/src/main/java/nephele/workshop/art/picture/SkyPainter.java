@@ -76,14 +76,8 @@ public final class SkyPainter {
         return Pixels.picture(side, side, (column, row) -> {
             double right = 2 * (column + 0.5) / side - 1;
             double down = 2 * (row + 0.5) / side - 1;
-            Vector3d direction =
-                    axis(square.outward()).fma(right, axis(square.right())).fma(down, axis(square.down()));
-            return colour(direction.normalize()).rgb();
+            return colour(square.direction(right, down).toVector().normalize()).rgb();
         });
-    }
-
-    private static Vector3d axis(SkyboxSquare.Axis axis) {
-        return new Vector3d(axis.component(0), axis.component(1), axis.component(2));
     }
 
     private int rgb(int face, int column, int row, int side) {

@@ -42,7 +42,7 @@ public final class SampleGrid {
     private static ExtinctionField heap() {
         var noise = new Cloud.Density.Noise(11, 0.55, 1, 0.4, CloudProfile.CUMULUS, null, 0);
         var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(2, 2, 2));
-        return CloudFields.of(new Cloud("heap", extent, CloudTechnique.AUTO, noise, 1, 1, 0), null);
+        return CloudFields.of(new Cloud("heap", extent, CloudTechnique.AUTO, noise, 1, 1, 0), null, 0);
     }
 
     private static double at(int voxel, int voxels) {

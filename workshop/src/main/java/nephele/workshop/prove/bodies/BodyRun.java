@@ -70,10 +70,6 @@ final class BodyRun {
         return new BodyRun(BenchBodies.shaft(DARK), List.of());
     }
 
-    int size() {
-        return bodies.size();
-    }
-
     void tick(double seconds) {
         bodies = step.step(bodies, surroundings, nobody, seconds);
     }

@@ -25,7 +25,7 @@ public final class EnergyLedger {
     private final BodyEnergy energy = new BodyEnergy();
     private final PortalCrossing crossing = new PortalCrossing();
     private final Vector3d place = new Vector3d();
-    private final Vector3d way = new Vector3d();
+    private final Vector3d velocity = new Vector3d();
     private final Vector3d pull = new Vector3d();
     private final Vector3d end = new Vector3d();
     private long crossings;
@@ -69,31 +69,31 @@ public final class EnergyLedger {
      */
     private double changeOfHeight(Bodies before, Bodies after, int body) {
         before.centre(body, place);
-        before.velocity(body, way);
+        before.velocity(body, velocity);
         double onArc = along(after, body, pull.set(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0), seconds);
         if (place.distance(after.centre(body, end)) < ON_ARC_METRES) {
             return onArc;
         }
-        unfolded(after, body).sub(before.centre(body, place), way);
+        unfolded(after, body).sub(before.centre(body, place), velocity);
         return along(after, body, pull.zero(), 1);
     }
 
     /**
      * Returns the sum of the changes of height by the passages on the path from {@link #place} with the velocity
-     * {@link #way}; place becomes the path's end. A passage that rounding moves beyond the path counts at its end.
+     * {@link #velocity}; place becomes the path's end. A passage that rounding moves beyond the path counts at its end.
      */
     private double along(Bodies after, int body, Vector3d acceleration, double duration) {
         double change = 0;
         double left = duration;
         for (int i = 0; i < after.crossings(body); i++) {
-            boolean found = crossing.find(portals, place, way, acceleration, left)
+            boolean found = crossing.find(portals, place, velocity, acceleration, left)
                     && crossing.portal() == after.crossing(body, i);
             double t = found ? crossing.seconds() : left;
             advance(t, acceleration);
             left -= t;
             change -= place.y;
             portals.transform(after.crossing(body, i)).point(place);
-            portals.transform(after.crossing(body, i)).direction(way);
+            portals.transform(after.crossing(body, i)).direction(velocity);
             change += place.y;
         }
         advance(left, acceleration);
@@ -101,8 +101,8 @@ public final class EnergyLedger {
     }
 
     private void advance(double t, Vector3d acceleration) {
-        place.fma(t, way).fma(t * t / 2, acceleration);
-        way.fma(t, acceleration);
+        place.fma(t, velocity).fma(t * t / 2, acceleration);
+        velocity.fma(t, acceleration);
     }
 
     /** Returns the centre in the continuation of the first space beyond the portals. */

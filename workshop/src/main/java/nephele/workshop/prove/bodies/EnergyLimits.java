@@ -10,7 +10,7 @@ import nephele.engine.sim.state.PlayerDimensions;
  * = 1 cm and for h = 1 mm.
  */
 public final class EnergyLimits {
-    private static final double SHARE = 1e-5;
+    private static final double RELATIVE_TOLERANCE = 1e-5;
     private static final double HEIGHT_METRES = .01;
     private static final double LITTLE_METRES = .001;
 
@@ -39,7 +39,7 @@ public final class EnergyLimits {
 
     public void record(int tick, double joules) {
         greatest = Math.max(greatest, joules);
-        double lifted = (joules - least - SHARE * greatest) / weight;
+        double lifted = (joules - least - RELATIVE_TOLERANCE * greatest) / weight;
         gainTick = gainTick == 0 && !(lifted <= HEIGHT_METRES) ? tick : gainTick;
         littleTick = littleTick == 0 && !(lifted <= LITTLE_METRES) ? tick : littleTick;
         mostLifted = lifted <= mostLifted ? mostLifted : lifted;

@@ -24,7 +24,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
     private static final double MOST_WIDTH_METRES = 1.2;
     private static final double MOST_HEIGHT_METRES = 2.1;
     /** The smallest aperture relative to the largest. */
-    private static final double LEAST_SHARE = .15;
+    private static final double LEAST_FRACTION = .15;
     /** The greatest offset of the column's axis from the aperture's middle, as a fraction of half its sides. */
     private static final double BESIDE = 1.3;
 
@@ -50,8 +50,8 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
     static PilePortals of(SplittableRandom random, double reach, double ceilingMetres) {
         Aperture aperture = Aperture.of(
                 SHAPES[random.nextInt(SHAPES.length)],
-                MOST_WIDTH_METRES * random.nextDouble(LEAST_SHARE, 1),
-                MOST_HEIGHT_METRES * random.nextDouble(LEAST_SHARE, 1));
+                MOST_WIDTH_METRES * random.nextDouble(LEAST_FRACTION, 1),
+                MOST_HEIGHT_METRES * random.nextDouble(LEAST_FRACTION, 1));
         int wall = random.nextInt(INTO_ROOM.length);
         int other = (wall + 1 + random.nextInt(INTO_ROOM.length - 1)) % INTO_ROOM.length;
         return switch (random.nextInt(4)) {

@@ -1,9 +1,15 @@
 package nephele.workshop.prove.bodies;
 
+import java.util.function.ObjIntConsumer;
+import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.bvh.ItemList;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -15,6 +21,11 @@ import org.joml.Vector3d;
 final class RestDetector {
     static final double WATCHED_SECONDS = .6;
 
+    private static final double TOUCHING_METRES = .005;
+
+    /** The index that stands for a solid in place of a body's. */
+    private static final int SOLID = -1;
+
     /** The greatest slip at the support of a ball or capsule that rolls or spins. */
     private static final double SLIP_METRES_PER_SECOND = .05;
 
@@ -22,7 +33,9 @@ final class RestDetector {
     private static final double MOVING_METRES_PER_SECOND = .01;
 
     private final BodyTable table;
-    private final Supports supports;
+    private final CollisionWorld world;
+    private final Separation separation = new Separation();
+    private final ItemList near = new ItemList();
     private final boolean[][] touching;
     /** True if a ball or capsule was observed to roll or spin on something. */
     private final boolean[] rolling;
@@ -30,6 +43,8 @@ final class RestDetector {
     private final boolean[] moving;
 
     private final Vector3d v = new Vector3d();
+    private final Vector3d centre = new Vector3d();
+    private final Vector3d normal = new Vector3d();
     private final Vector3d halfAxis = new Vector3d();
     private final Vector3d arm = new Vector3d();
     private final Vector3d slip = new Vector3d();
@@ -37,7 +52,7 @@ final class RestDetector {
 
     RestDetector(BodyTable table, CollisionWorld world) {
         this.table = table;
-        supports = new Supports(table, world);
+        this.world = world;
         touching = new boolean[table.size()][table.size()];
         rolling = new boolean[table.size()];
         moving = new boolean[table.size()];
@@ -54,8 +69,8 @@ final class RestDetector {
 
     private void observe(Bodies bodies, int body) {
         boolean isRound = !(table.body(body) instanceof Body.Box) && !bodies.isFrozen(body);
-        supports.each(bodies, body, (other, normal) -> {
-            if (other != Supports.SOLID) {
+        eachContact(bodies, body, (normal, other) -> {
+            if (other != SOLID) {
                 touching[body][other] = true;
             }
             rolling[body] |= isRound && slip(bodies, body, normal) < SLIP_METRES_PER_SECOND;
@@ -76,7 +91,7 @@ final class RestDetector {
 
     private boolean isHeld(Bodies bodies, int body) {
         boolean[] held = new boolean[1];
-        supports.each(bodies, body, (other, normal) -> held[0] = true);
+        eachContact(bodies, body, (normal, other) -> held[0] = true);
         return held[0];
     }
 
@@ -99,7 +114,7 @@ final class RestDetector {
         bodies.orientation(body, turn).transform(halfAxis.set(0, halfAxisMetres(body), 0));
         double along = halfAxis.dot(normal);
         for (int end = -1; end <= 1; end++) {
-            if (end * along > Supports.TOUCHING_METRES - Math.abs(along)) {
+            if (end * along > TOUCHING_METRES - Math.abs(along)) {
                 continue;
             }
             halfAxis.mul(end, arm).fma(-radiusMetres(body), normal);
@@ -122,5 +137,44 @@ final class RestDetector {
     private double speed(Bodies bodies, int body) {
         double reach = table.reachMetres(body);
         return bodies.velocity(body, v).length() + reach * bodies.spin(body, v).length();
+    }
+
+    /**
+     * Visits the contacts of a body.
+     *
+     * @param contact receives the normal, of unit length and away from the touched object, valid during the call, and the
+     *     index of the other body or {@link #SOLID}
+     */
+    private void eachContact(Bodies bodies, int body, ObjIntConsumer<Vector3d> contact) {
+        RoundedHull hull = table.hull(body, bodies.orientation(body, turn));
+        bodies.centre(body, centre);
+        world.overlapping(around(hull, centre), near);
+        for (int i = 0; i < near.size(); i++) {
+            visit(hull, world.collider(near.get(i)), SOLID, contact);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            if (i != body) {
+                Vector3d at = bodies.centre(i, new Vector3d());
+                visit(hull, table.collider(i, at, bodies.orientation(i, turn)), i, contact);
+            }
+        }
+    }
+
+    private static Aabb around(RoundedHull hull, Vector3d at) {
+        return new Aabb(
+                        at.x + hull.least(0),
+                        at.y + hull.least(1),
+                        at.z + hull.least(2),
+                        at.x + hull.greatest(0),
+                        at.y + hull.greatest(1),
+                        at.z + hull.greatest(2))
+                .grown(TOUCHING_METRES);
+    }
+
+    private void visit(RoundedHull hull, Collider against, int other, ObjIntConsumer<Vector3d> contact) {
+        separation.measure(hull, centre.x, centre.y, centre.z, against);
+        if (separation.metres() < TOUCHING_METRES) {
+            contact.accept(normal.set(separation.normal()), other);
+        }
     }
 }

@@ -5,7 +5,10 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.CloudHistory;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.workshop.prove.proof.Claim;
@@ -25,17 +28,19 @@ public final class CloudFlightProof implements Proof {
     private static final CloudFlight.Path PATH = new CloudFlight.Path(new Vec3(0, 1000, 300), 40, 3);
 
     private final String level;
-    private final CloudFlight.Size size;
+    private final int width;
+    private final int height;
     private final int frames;
 
     /** Flies for ten seconds. */
     public CloudFlightProof() {
-        this("levels/samples/weather-broken.json", new CloudFlight.Size(640, 360), 600);
+        this("levels/samples/weather-broken.json", 640, 360, 600);
     }
 
-    CloudFlightProof(String level, CloudFlight.Size size, int frames) {
+    CloudFlightProof(String level, int width, int height, int frames) {
         this.level = level;
-        this.size = size;
+        this.width = width;
+        this.height = height;
         this.frames = frames;
     }
 
@@ -44,7 +49,7 @@ public final class CloudFlightProof implements Proof {
         return new Claim(
                 "cloud-flight",
                 "In " + frames + " frames of a slow flight through a broken sky (40 m/s, 3 degrees a second, "
-                        + size.width() + " × " + size.height()
+                        + width + " × " + height
                         + " pixels) the FLIP of no step from frame to frame is above that of frames with all rays by"
                         + " more than 0.02. The eye and the time then stand still for 16 frames, and a cut follows in"
                         + " the middle of the flight.",
@@ -58,8 +63,11 @@ public final class CloudFlightProof implements Proof {
         ProofResult result = ProofResult.NOTHING;
         OpenedLevel opened = new LevelName(level).open();
         for (long unit = from; unit < from + count; unit++) {
+            Quality quality = PRESETS.get((int) unit);
+            Quality allRays = quality.with("cloudHistory", CloudHistory.NONE);
             try (var gl = GlContext.offscreen();
-                    var flight = new CloudFlight(gl, opened, PATH, PRESETS.get((int) unit), size)) {
+                    var picture = RenderTarget.picture(gl, "flight", PixelFormat.RGBA8, width, height);
+                    var flight = new CloudFlight(gl, picture, opened, PATH, quality, allRays)) {
                 result = result.and(flown(NAMES.get((int) unit), flight));
                 gl.requireNoError("flight");
             }
@@ -69,19 +77,19 @@ public final class CloudFlightProof implements Proof {
     }
 
     private ProofResult flown(String preset, CloudFlight flight) {
-        var tally = new FlightTally(preset);
         for (int frame = 0; frame < frames; frame++) {
-            tally.add(flight.reference(frame), flight.seen(frame));
+            flight.fly();
         }
         List<Figure> figures = new ArrayList<>();
-        figures.add(Figure.greatest(preset + ", greatest step beyond that of all rays", tally.beyond(), "FLIP"));
-        figures.add(Figure.greatest(preset + ", mean error", tally.mean(), "FLIP"));
-        figures.add(Figure.greatest(preset + ", greatest error of a frame", tally.worst(), "FLIP"));
-        double flicker = flicker(flight, tally.lastSeen());
+        figures.add(Figure.greatest(preset + ", greatest step beyond that of all rays", flight.beyond(), "FLIP"));
+        figures.add(Figure.greatest(preset + ", mean error", flight.meanError(), "FLIP"));
+        figures.add(Figure.greatest(preset + ", greatest error of a frame", flight.worstError(), "FLIP"));
+        double flicker = flicker(flight, flight.last());
         figures.add(Figure.greatest(preset + ", flicker while all is frozen", flicker, "FLIP"));
         figures.addAll(ghosts(preset, flight));
-        List<String> steep = tally.failures();
-        List<String> one = steep.isEmpty() ? List.of() : List.of(steep.size() + " steps; " + steep.get(0));
+        List<String> steep = flight.failures();
+        List<String> one =
+                steep.isEmpty() ? List.of() : List.of(steep.size() + " steps; " + preset + ", " + steep.get(0));
         return ProofResult.of(1, one, figures);
     }
 
@@ -90,7 +98,7 @@ public final class CloudFlightProof implements Proof {
         double sum = 0;
         LinearPicture before = last;
         for (int i = 0; i < FROZEN_FRAMES; i++) {
-            LinearPicture now = flight.seen(frames - 1);
+            LinearPicture now = flight.drawn(frames - 1);
             sum += CloudFlight.flip(before, now);
             before = now;
         }
@@ -102,9 +110,9 @@ public final class CloudFlightProof implements Proof {
         List<Figure> figures = new ArrayList<>();
         flight.cut();
         for (int n = 0; n <= AFTER_CUT.get(AFTER_CUT.size() - 1); n++) {
-            LinearPicture seen = flight.seen(frames / 2 + n);
+            LinearPicture drawn = flight.drawn(frames / 2 + n);
             if (AFTER_CUT.contains(n)) {
-                double ghost = CloudFlight.flip(flight.reference(frames / 2 + n), seen);
+                double ghost = CloudFlight.flip(flight.reference(frames / 2 + n), drawn);
                 figures.add(Figure.greatest(preset + ", ghost " + n + " frames after a cut", ghost, "FLIP"));
             }
         }

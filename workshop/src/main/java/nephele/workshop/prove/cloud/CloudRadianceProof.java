@@ -43,12 +43,13 @@ public final class CloudRadianceProof implements Proof {
     /**
      * A cloud drawn by a technique.
      *
-     * @param way the setting that is not the default, with a comma before it; empty for the default
+     * @param setting the setting that is not the default, with a comma before it; empty for the default
      * @param mostPercent that the mean radiance may be off
      */
-    private record Drawn(TableCase at, CloudTechnique technique, String way, Quality quality, double mostPercent) {
+    private record Drawn(TableCase at, CloudTechnique technique, String setting, Quality quality, double mostPercent) {
         String name() {
-            return word(technique) + way + ", " + at.form() + " of optical depth " + text("%.1f", at.opticalDepth());
+            return word(technique) + setting + ", " + at.form() + " of optical depth "
+                    + text("%.1f", at.opticalDepth());
         }
     }
 

@@ -33,23 +33,21 @@ public final class CloudReferenceProof implements Proof {
         ProofResult result = ProofResult.NOTHING;
         for (long unit = from; unit < from + count; unit++) {
             ReferenceCase scene = ReferenceCase.named(CASES.get((int) unit));
-            TracedArea whole = TracedArea.whole(scene, SAMPLES, unit, fraction -> {});
-            result = result.and(judged(scene.name(), new AreaComparison(whole)));
+            result = result.and(judged(scene.name(), TracedArea.whole(scene, SAMPLES, unit, fraction -> {})));
             progress.unitsDone(unit + 1 - from);
         }
         return result;
     }
 
-    static ProofResult judged(String name, AreaComparison comparison) {
+    private static ProofResult judged(String name, TracedArea whole) {
         List<String> failures = new ArrayList<>();
         double bias = 0;
         double sigmas = 0;
         for (int channel = 0; channel < 3; channel++) {
-            var off = comparison.bias(channel);
-            bias = Math.max(bias, Math.abs(off.fraction()));
-            sigmas = Math.max(sigmas, Math.abs(off.sigmas()));
+            bias = Math.max(bias, Math.abs(whole.bias(channel)));
+            sigmas = Math.max(sigmas, Math.abs(whole.biasSigmas(channel)));
         }
-        double agreeing = 1 - comparison.differing() / (double) comparison.cloudy();
+        double agreeing = 1 - whole.differing() / (double) whole.cloudy();
         if (!(bias <= MOST_BIAS) || !(sigmas <= MOST_BIAS_SIGMAS) || !(agreeing >= LEAST_AGREEING)) {
             failures.add(String.format(
                     Locale.ROOT,
@@ -58,15 +56,15 @@ public final class CloudReferenceProof implements Proof {
                     100 * bias,
                     sigmas,
                     100 * agreeing,
-                    comparison.cloudy()));
+                    whole.cloudy()));
         }
         return ProofResult.of(
                 1,
                 failures,
                 Figure.greatest(name + ", mean off", 100 * bias, "%"),
                 Figure.greatest(name + ", mean off in its error", sigmas, "standard errors"),
-                Figure.sum(name + ", pixels that see the cloud", comparison.cloudy(), ""),
-                Figure.sum(name + ", pixels that differ", comparison.differing(), ""),
-                Figure.greatest(name + ", spread of differences", comparison.spread(), "standard errors"));
+                Figure.sum(name + ", pixels that see the cloud", whole.cloudy(), ""),
+                Figure.sum(name + ", pixels that differ", whole.differing(), ""),
+                Figure.greatest(name + ", spread of differences", whole.spread(), "standard errors"));
     }
 }

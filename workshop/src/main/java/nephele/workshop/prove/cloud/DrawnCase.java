@@ -44,15 +44,7 @@ final class DrawnCase {
         counts = cloudy(exact);
     }
 
-    /**
-     * How far a drawn picture is from the exact one, over the pixels that count.
-     *
-     * @param bias of the mean radiance, as a fraction of it
-     * @param rootMeanSquare of the differences, divided by the mean
-     */
-    record Off(double bias, double rootMeanSquare) {}
-
-    int pixels() {
+    private int pixels() {
         int count = 0;
         for (boolean one : counts) {
             count += one ? 1 : 0;
@@ -69,11 +61,6 @@ final class DrawnCase {
         return ImageError.rootMeanSquare(none, exact.error(), counts) / mean(exact.radiance());
     }
 
-    Off off(LinearPicture drawn) {
-        double mean = mean(exact.radiance());
-        return new Off(mean(drawn) / mean - 1, ImageError.rootMeanSquare(exact.radiance(), drawn, counts) / mean);
-    }
-
     private double mean(LinearPicture picture) {
         double sum = 0;
         for (int i = 0; i < picture.rgb().length; i++) {
@@ -82,11 +69,12 @@ final class DrawnCase {
         return sum / (3 * pixels());
     }
 
-    /** A renderer of the case with one model of light. */
+    /** A renderer of the case with one model of light, and the picture that it draws. */
     final class Drawing implements AutoCloseable {
         private final GlContext gl;
         private final RenderTarget target;
         private final Renderer renderer;
+        private final LinearPicture picture;
 
         Drawing(GlContext gl, CloudScattering model) {
             this.gl = gl;
@@ -99,12 +87,18 @@ final class DrawnCase {
             LinearPicture size = exact.radiance();
             target = RenderTarget.picture(
                     gl, "cloud case", PixelFormat.RGBA8, side * size.width(), side * size.height());
+            draw(1);
+            picture = new LinearPicture(target.width(), target.height(), renderer.readRadiance()).reduced(side);
         }
 
-        LinearPicture picture() {
-            draw(1);
-            float[] radiance = renderer.readRadiance();
-            return new LinearPicture(target.width(), target.height(), radiance).reduced(side);
+        /** Returns the difference of the mean radiance, over the pixels that count, as a fraction of the exact one. */
+        double bias() {
+            return mean(picture) / mean(exact.radiance()) - 1;
+        }
+
+        /** Returns the root mean square of the differences, over the pixels that count, divided by the exact mean. */
+        double rootMeanSquare() {
+            return ImageError.rootMeanSquare(exact.radiance(), picture, counts) / mean(exact.radiance());
         }
 
         /** Returns the CPU time of the process for some frames. */

@@ -57,7 +57,7 @@ record ReferenceCase(
                 name,
                 placed,
                 TracedLevel.of(placed, ColourDecoding.SRGB),
-                Viewpoints.standard(level, name, aspect).view(0),
+                Viewpoints.standard(level, name, aspect).apply(0),
                 ((Sky.Constant) level.environment().sky()).radiance(),
                 radiance,
                 picture(name + "-se.pfm.gz"));

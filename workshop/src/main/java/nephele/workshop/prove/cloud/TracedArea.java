@@ -8,13 +8,33 @@ import nephele.engine.reference.tile.PixelTiles;
 import nephele.engine.reference.tile.TilePixels;
 import nephele.engine.reference.tile.TiledPicture;
 
-/**
- * A part of the picture of a case, traced, with its standard error.
- *
- * @param left column of its first pixel in the whole picture
- * @param bottom row of it, counted from below
- */
-record TracedArea(ReferenceCase scene, int left, int bottom, TiledPicture picture) {
+/** A part of the picture of a case, traced, and its differences from the reference. */
+final class TracedArea {
+    private static final double MOST_SIGMAS = 5;
+
+    /** Difference from the sky by which a pixel shows the cloud; more than the rounding of either picture. */
+    private static final double LEAST_OF_CLOUD = 1e-6;
+
+    private final ReferenceCase scene;
+    private final int left;
+    private final int bottom;
+    private final int width;
+    private final float[] traced;
+    private final float[] error;
+
+    /**
+     * @param left column of its first pixel in the whole picture
+     * @param bottom row of it, counted from below
+     */
+    private TracedArea(ReferenceCase scene, int left, int bottom, TiledPicture picture) {
+        this.scene = scene;
+        this.left = left;
+        this.bottom = bottom;
+        width = picture.tiles().width();
+        traced = picture.rgb();
+        error = picture.standardError();
+    }
+
     /** Traces the whole picture on all processors. */
     static TracedArea whole(ReferenceCase scene, int samples, long seed, DoubleConsumer progress) {
         return new TracedArea(
@@ -47,13 +67,101 @@ record TracedArea(ReferenceCase scene, int left, int bottom, TiledPicture pictur
                 Runtime.getRuntime().availableProcessors());
     }
 
-    int pixels() {
-        return picture.tiles().width() * picture.tiles().height();
+    private int pixels() {
+        return traced.length / 3;
     }
 
     /** Returns the index of one of its pixels in the whole picture. */
-    int inWhole(int pixel) {
-        int width = picture.tiles().width();
+    private int inWhole(int pixel) {
         return (bottom + pixel / width) * scene.radiance().width() + left + pixel % width;
+    }
+
+    /** Returns the difference of the mean radiance of a channel from the reference's, as a fraction of that. */
+    double bias(int channel) {
+        double expected = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            expected += reference(pixel, channel);
+        }
+        return difference(channel) / expected;
+    }
+
+    /** Returns the difference of the mean radiance of a channel in units of the joint standard error. */
+    double biasSigmas(int channel) {
+        double variance = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            variance += jointVariance(pixel, channel);
+        }
+        double difference = difference(channel);
+        return difference == 0 ? 0 : difference / Math.sqrt(variance);
+    }
+
+    private double difference(int channel) {
+        double sum = 0;
+        double expected = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            sum += traced[3 * pixel + channel];
+            expected += reference(pixel, channel);
+        }
+        return sum - expected;
+    }
+
+    /** Returns the number of pixels that show the cloud. */
+    int cloudy() {
+        int count = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            count += showsCloud(pixel) ? 1 : 0;
+        }
+        return count;
+    }
+
+    private boolean showsCloud(int pixel) {
+        for (int channel = 0; channel < 3; channel++) {
+            double sky = scene.sky().toVector().get(channel);
+            if (Math.abs(traced[3 * pixel + channel] - sky) > LEAST_OF_CLOUD
+                    || Math.abs(reference(pixel, channel) - sky) > LEAST_OF_CLOUD) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns the number of pixels that show the cloud and differ by more than 5 standard errors in a channel. */
+    int differing() {
+        int count = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            count += showsCloud(pixel) && sigmas(pixel) > MOST_SIGMAS ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Returns the root of the mean squared difference in units of its standard error, over the pixels with cloud. */
+    double spread() {
+        double sum = 0;
+        for (int pixel = 0; pixel < pixels(); pixel++) {
+            if (showsCloud(pixel)) {
+                double difference = traced[3 * pixel] - reference(pixel, 0);
+                sum += difference * difference / jointVariance(pixel, 0);
+            }
+        }
+        return Math.sqrt(sum / cloudy());
+    }
+
+    private double sigmas(int pixel) {
+        double most = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double difference = Math.abs(traced[3 * pixel + channel] - reference(pixel, channel));
+            most = Math.max(most, difference / Math.sqrt(jointVariance(pixel, channel)));
+        }
+        return most;
+    }
+
+    private double jointVariance(int pixel, int channel) {
+        double ofReference = scene.error().rgb()[3 * inWhole(pixel) + channel];
+        double ours = error[3 * pixel + channel];
+        return ofReference * ofReference + ours * ours;
+    }
+
+    private double reference(int pixel, int channel) {
+        return scene.radiance().rgb()[3 * inWhole(pixel) + channel];
     }
 }

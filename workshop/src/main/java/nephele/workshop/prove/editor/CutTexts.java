@@ -5,7 +5,9 @@ import java.awt.Container;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -20,6 +22,8 @@ import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.ListCellRenderer;
 import javax.swing.ScrollPaneConstants;
+import nephele.editor.record.Entities;
+import nephele.editor.session.EditorSession;
 
 /**
  * Searches for texts that do not fit: less room than the preferred size asks for, or a place that is partly outside of
@@ -28,18 +32,37 @@ import javax.swing.ScrollPaneConstants;
 public final class CutTexts {
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9.,]+");
 
-    private final UserTexts data;
+    /** The ids of the user's entities. */
+    private final Set<String> ids;
+
     private final List<String> found = new ArrayList<>();
 
-    private CutTexts(UserTexts data) {
-        this.data = data;
+    private CutTexts(Set<String> ids) {
+        this.ids = ids;
     }
 
-    /** Returns a line for each text within a container that has been laid out and is cut off. */
-    public static List<String> in(Container container, UserTexts data) {
-        CutTexts search = new CutTexts(data);
+    /** Returns a line for each text within a container that has been laid out and is cut off; only paths are the user's. */
+    public static List<String> in(Container container) {
+        return in(container, Set.of());
+    }
+
+    /** Returns the same where the ids of the level that a session has open are the user's, too. */
+    public static List<String> in(Container container, EditorSession session) {
+        Set<String> ids = new HashSet<>();
+        Entities.LEVEL.all(session.document().level()).forEach(ref -> ids.add(ref.id()));
+        ids.remove("");
+        return in(container, ids);
+    }
+
+    private static List<String> in(Container container, Set<String> ids) {
+        CutTexts search = new CutTexts(ids);
         search.within(container);
         return search.found;
+    }
+
+    /** Returns true if a text names something of the user: an id of the level, or a path of files. */
+    private boolean isOfUser(String text) {
+        return text.indexOf('/') >= 0 || ids.stream().anyMatch(text::contains);
     }
 
     private void within(Container container) {
@@ -77,7 +100,7 @@ public final class CutTexts {
     private void require(JComponent part, String text, int width, int height) {
         boolean isText = text != null && !text.isBlank();
         boolean isCut = part.getWidth() < width || part.getHeight() < height;
-        boolean mayBeCut = isText && data.holds(text) && text.equals(part.getToolTipText());
+        boolean mayBeCut = isText && isOfUser(text) && text.equals(part.getToolTipText());
         if (isText && isCut && !mayBeCut) {
             found.add("\"" + text + "\" has " + part.getWidth() + " x " + part.getHeight() + " of " + width + " x "
                     + height);
@@ -108,8 +131,8 @@ public final class CutTexts {
             found.add("\"" + field.getText() + "\" has " + room + " of " + wanted);
         }
         Object hint = field.getClientProperty("JTextField.placeholderText");
-        boolean isHintShown = hint instanceof String && field.getText().isEmpty();
-        int hintWidth = isHintShown ? field.getFontMetrics(field.getFont()).stringWidth((String) hint) : 0;
+        boolean isHintVisible = hint instanceof String && field.getText().isEmpty();
+        int hintWidth = isHintVisible ? field.getFontMetrics(field.getFont()).stringWidth((String) hint) : 0;
         if (hintWidth > room) {
             found.add("\"" + hint + "\" has " + room + " of " + hintWidth);
         }
@@ -124,7 +147,7 @@ public final class CutTexts {
         Component cell = renderer.getListCellRendererComponent(new JList<T>(), value, -1, false, false);
         String text = cell instanceof JLabel label ? label.getText() : "";
         int arrow = combo.getHeight();
-        if (cell.getPreferredSize().width + arrow > combo.getWidth() + arrow / 4 && !data.holds(text)) {
+        if (cell.getPreferredSize().width + arrow > combo.getWidth() + arrow / 4 && !isOfUser(text)) {
             found.add("\"" + text + "\" has " + (combo.getWidth() - arrow) + " of " + cell.getPreferredSize().width);
         }
     }
@@ -174,7 +197,7 @@ public final class CutTexts {
         cell.setSize(place.getSize());
         cell.doLayout();
         if (cell instanceof JLabel label) {
-            boolean mayBeCut = data.holds(label.getText() == null ? "" : label.getText());
+            boolean mayBeCut = isOfUser(label.getText() == null ? "" : label.getText());
             if (!mayBeCut) {
                 check(cell);
             }

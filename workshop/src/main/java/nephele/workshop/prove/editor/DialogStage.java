@@ -1,8 +1,6 @@
 package nephele.workshop.prove.editor;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -35,20 +33,10 @@ final class DialogStage implements DialogOpener {
         JPanel root = new JPanel(new BorderLayout());
         root.add(content.panel());
         root.setSize(SIZE);
-        layOut(root);
+        PaintedPanel.layOut(root);
         root.paint(new BufferedImage(SIZE.width, SIZE.height, BufferedImage.TYPE_INT_RGB).createGraphics());
         // The folder of the settings would be opened on the screen.
         input = new RandomPanelInput(root, random, List.of("open-folder"));
-    }
-
-    /** A panel without a window does not lay itself out. */
-    private static void layOut(Container container) {
-        container.doLayout();
-        for (Component child : container.getComponents()) {
-            if (child instanceof Container inner) {
-                layOut(inner);
-            }
-        }
     }
 
     boolean isOpen() {

@@ -10,6 +10,7 @@ import nephele.editor.action.ScriptInterface;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.document.Document;
 import nephele.editor.document.Selection;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.save.ContentHash;
 import nephele.editor.save.DocumentFile;
@@ -108,7 +109,7 @@ public final class EditorCommandsProof implements Proof {
 
         void chooseSelection() {
             Document document = session.document();
-            List<EntityRef> all = document.entities().all(document.level());
+            List<EntityRef> all = Entities.LEVEL.all(document.level());
             if (all.size() > MANY_ENTITIES) {
                 document.select(Selection.of(all.subList(0, all.size() / 2)));
                 run("delete");

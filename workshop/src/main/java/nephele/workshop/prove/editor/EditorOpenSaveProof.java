@@ -117,10 +117,10 @@ public final class EditorOpenSaveProof implements Proof {
                 failures.add(source + ": the values are not the same after it was opened and saved");
             }
             String renamed = saved(Trial::renamed);
-            requireOnly(form, renamed, new Lines(form).member("name"));
+            requireOnly(form, renamed, member(lines(form), "name"));
             if (!level.solids().isEmpty()) {
                 String id = level.solids().get(level.solids().size() - 1).id();
-                requireOnly(form, saved(before -> moved(before, id)), new Lines(form).solid(id));
+                requireOnly(form, saved(before -> moved(before, id)), solid(lines(form), id));
             }
         }
 
@@ -146,70 +146,67 @@ public final class EditorOpenSaveProof implements Proof {
             return Files.readString(copy);
         }
 
-        private void requireOnly(String before, String after, Optional<Lines.Block> allowed) {
+        private void requireOnly(String before, String after, Optional<Block> allowed) {
             edits++;
-            Lines.Block changed = new Lines(before).changed(new Lines(after));
+            Block changed = changed(lines(before), lines(after));
             if (changed.isEmpty() || allowed.isEmpty() || !allowed.get().contains(changed)) {
                 failures.add(source + ": an edit of lines " + allowed + " changed lines " + changed);
             }
         }
     }
 
-    /** The lines of a level's text. */
-    private record Lines(List<String> all) {
-        Lines(String text) {
-            this(text.lines().toList());
+    private static List<String> lines(String text) {
+        return text.lines().toList();
+    }
+
+    /** Lines of a text from one, inclusive, to another, exclusive. */
+    private record Block(int from, int to) {
+        boolean isEmpty() {
+            return from == to;
         }
 
-        /** Lines from one, inclusive, to another, exclusive. */
-        record Block(int from, int to) {
-            boolean isEmpty() {
-                return from == to;
-            }
+        boolean contains(Block other) {
+            return other.from >= from && other.to <= to;
+        }
+    }
 
-            boolean contains(Block other) {
-                return other.from >= from && other.to <= to;
+    /** Returns the block between the first lines and the last lines that both texts have. */
+    private static Block changed(List<String> before, List<String> after) {
+        int shorter = Math.min(before.size(), after.size());
+        int head = 0;
+        while (head < shorter && before.get(head).equals(after.get(head))) {
+            head++;
+        }
+        int tail = 0;
+        while (tail < shorter - head
+                && before.get(before.size() - 1 - tail).equals(after.get(after.size() - 1 - tail))) {
+            tail++;
+        }
+        return new Block(head, before.size() - tail);
+    }
+
+    /** Returns the line of a member of the level itself. */
+    private static Optional<Block> member(List<String> lines, String name) {
+        for (int i = 0; i < lines.size(); i++) {
+            if (lines.get(i).startsWith("  \"" + name + "\":")) {
+                return Optional.of(new Block(i, i + 1));
             }
         }
+        return Optional.empty();
+    }
 
-        /** Returns the block between the first lines and the last lines that both texts have. */
-        Block changed(Lines other) {
-            int shorter = Math.min(all.size(), other.all.size());
-            int head = 0;
-            while (head < shorter && all.get(head).equals(other.all.get(head))) {
-                head++;
-            }
-            int tail = 0;
-            while (tail < shorter - head
-                    && all.get(all.size() - 1 - tail).equals(other.all.get(other.all.size() - 1 - tail))) {
-                tail++;
-            }
-            return new Block(head, all.size() - tail);
-        }
-
-        /** Returns the line of a member of the level itself */
-        Optional<Block> member(String name) {
-            for (int i = 0; i < all.size(); i++) {
-                if (all.get(i).startsWith("  \"" + name + "\":")) {
-                    return Optional.of(new Block(i, i + 1));
+    /** Returns the lines of a solid, from its brace to the closing one. */
+    private static Optional<Block> solid(List<String> lines, String id) {
+        int section = lines.indexOf("  \"solids\": [");
+        for (int i = Math.max(0, section); i < lines.size(); i++) {
+            if (lines.get(i).startsWith("      \"id\": \"" + id + "\"")) {
+                int end = i;
+                while (!lines.get(end).startsWith("    }")) {
+                    end++;
                 }
+                return Optional.of(new Block(i - 1, end + 1));
             }
-            return Optional.empty();
         }
-
-        /** Returns the lines of a solid, from its brace to the closing one. */
-        Optional<Block> solid(String id) {
-            int section = all.indexOf("  \"solids\": [");
-            for (int i = Math.max(0, section); i < all.size(); i++) {
-                if (all.get(i).startsWith("      \"id\": \"" + id + "\"")) {
-                    int end = i;
-                    while (!all.get(end).startsWith("    }")) {
-                        end++;
-                    }
-                    return Optional.of(new Block(i - 1, end + 1));
-                }
-            }
-            return Optional.empty();
-        }
+        return Optional.empty();
     }
 }

@@ -82,10 +82,10 @@ public final class EditorPicturesProof implements Proof {
             List<String> failures = new ArrayList<>();
             events.run(() -> editor = new PicturedEditor(look)).ifPresent(failures::add);
             if (failures.isEmpty()) {
-                List<EditorScene> scenes = EditorScenes.all();
+                List<EditorScene> scenes = EditorScene.all();
                 for (EditorScene scene : scenes) {
                     List<String> cut = new ArrayList<>();
-                    Optional<String> thrown = events.run(() -> cut.addAll(shown(scene)));
+                    Optional<String> thrown = events.run(() -> cut.addAll(cutTexts(scene)));
                     thrown.ifPresent(cut::add);
                     if (!cut.isEmpty()) {
                         failures.add(look.title() + ", " + scene.name() + ": " + String.join("; ", cut));
@@ -96,7 +96,7 @@ public final class EditorPicturesProof implements Proof {
             return failures;
         }
 
-        private List<String> shown(EditorScene scene) throws Exception {
+        private List<String> cutTexts(EditorScene scene) throws Exception {
             boolean isPainted = (searched++ + first) % every == 0;
             JComponent part = scene.making().show(editor);
             if (part == null) {

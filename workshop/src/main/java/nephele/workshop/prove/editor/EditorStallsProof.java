@@ -2,8 +2,11 @@ package nephele.workshop.prove.editor;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +14,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
 import nephele.editor.action.ScriptRunner;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.window.viewport.ViewportSurface;
@@ -22,8 +27,8 @@ import nephele.workshop.prove.proof.ProofResult;
 
 /**
  * Opens the levels that take longest to draw in the real editor and edits what their tables follow from, while another
- * thread measures how long the event dispatch thread takes to answer. Readers, tables and pictures throw on that thread, which
- * fails the proof as well.
+ * thread measures how long the event dispatch thread takes to answer. Readers, tables and pictures throw on that thread,
+ * which fails the proof as well.
  */
 public final class EditorStallsProof implements Proof {
     /**
@@ -190,11 +195,11 @@ public final class EditorStallsProof implements Proof {
 
         private void paint() {
             ViewportSurface surface = editor.panel().viewport().surface();
-            Component shown = surface.component();
+            Component picture = surface.component();
             Graphics2D graphics = screen.createGraphics();
             try {
                 editor.panel().paint(graphics);
-                shown.paint(graphics);
+                picture.paint(graphics);
             } finally {
                 graphics.dispose();
             }
@@ -208,6 +213,65 @@ public final class EditorStallsProof implements Proof {
             return answers.dearestSeconds() < MOST_CPU_SECONDS
                     ? Optional.empty()
                     : Optional.of("an answer cost " + answers.dearestSeconds() + " s of the window's thread");
+        }
+    }
+
+    /** Asks Swing's thread for an answer again and again, and keeps how long the slowest one was awaited. */
+    private static final class AnswerWatch {
+        private static final long BETWEEN_NANOS = 5_000_000;
+
+        private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        private final Thread asking = new Thread(this::ask, "answers");
+        private volatile boolean isOver;
+        private long dispatcher;
+        private long longestNanos;
+        private long dearestNanos;
+
+        void begin() {
+            asking.setDaemon(true);
+            asking.start();
+        }
+
+        private void ask() {
+            try {
+                long before = answered();
+                while (!isOver) {
+                    long start = System.nanoTime();
+                    long after = answered();
+                    longestNanos = Math.max(longestNanos, System.nanoTime() - start);
+                    dearestNanos = Math.max(dearestNanos, after - before);
+                    before = after;
+                    LockSupport.parkNanos(BETWEEN_NANOS);
+                }
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        /** Waits for an answer; returns the time that the thread has worked since it began. */
+        private long answered() throws InterruptedException {
+            var answer = new CountDownLatch(1);
+            EventQueue.invokeLater(() -> {
+                dispatcher = Thread.currentThread().getId();
+                answer.countDown();
+            });
+            answer.await();
+            return threads.getThreadCpuTime(dispatcher);
+        }
+
+        void end() throws InterruptedException {
+            isOver = true;
+            asking.join();
+        }
+
+        /** Returns the longest time for which an answer was awaited, after the {@link #end}. */
+        double longestSeconds() {
+            return longestNanos * 1e-9;
+        }
+
+        /** Returns the most time that the thread itself has worked between two answers. */
+        double dearestSeconds() {
+            return dearestNanos * 1e-9;
         }
     }
 }

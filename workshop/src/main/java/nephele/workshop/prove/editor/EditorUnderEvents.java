@@ -18,9 +18,7 @@ import nephele.editor.session.EditorSettings;
 import nephele.editor.session.FileServices;
 import nephele.editor.session.SessionChange;
 import nephele.editor.session.Tools;
-import nephele.editor.start.EditorParts;
 import nephele.editor.window.EditorPanel;
-import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WaitingLoop;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.viewport.ViewportSurface;
@@ -49,7 +47,7 @@ final class EditorUnderEvents implements AutoCloseable {
         WindowLook.apply(look);
         session = new EditorSession(base.file(), base.level(), base.assets(), look);
         session.fileServices(FileServices.of(EditorFiles.of(null, folder)));
-        panel = EditorParts.panel(session, ui.surroundings());
+        panel = ui.panel(session);
         panel.closeToo(session.listen(this::follow));
         session.proving().runOn(new ProvingThreads(new WaitingLoop(() -> {}), SwingUtilities::invokeLater));
         resize(SIZE);
@@ -80,12 +78,12 @@ final class EditorUnderEvents implements AutoCloseable {
     }
 
     void resize(Dimension size) {
-        PanelPicture.layOut(panel, size);
+        panel.layOut(size);
     }
 
     /** Paints the whole editor, its viewport included. */
     void paint() {
-        PanelPicture.of(panel);
+        panel.picture();
         surface().failure().ifPresent(failure -> {
             throw new IllegalStateException("the viewport cannot be drawn: " + failure, failure);
         });

@@ -9,11 +9,22 @@ import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.concurrent.locks.LockSupport;
+import nephele.editor.save.DocumentFile;
+import nephele.editor.save.journal.Journal;
 import nephele.editor.save.journal.JournalFolder;
+import nephele.editor.save.journal.JournalListener;
 import nephele.editor.save.journal.RecoverableWork;
+import nephele.editor.text.Words;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.math.Vec3;
 import nephele.workshop.prove.process.KillableProcess;
 import nephele.workshop.prove.process.TemporaryFolder;
 import nephele.workshop.prove.proof.Claim;
@@ -25,6 +36,13 @@ import nephele.workshop.prove.proof.ProofResult;
 public final class JournalKillProof implements Proof {
     private static final String LOST = "work lost at most";
     private static final double ALLOWED_SECONDS = 2;
+    private static final int SOLIDS = 400;
+    private static final long FRAME_NANOS = 16_000_000;
+    /** The process ends by itself then, in case its parent has ended without killing it. */
+    private static final int MOST_EDITS = 5_000;
+
+    private static final String MADE = "made ";
+    private static final String SYNCED = "synced ";
 
     private final double longestSeconds;
 
@@ -51,10 +69,10 @@ public final class JournalKillProof implements Proof {
         private String failure;
 
         void line(String line) {
-            if (line.startsWith(EditingSession.MADE)) {
-                nanosByEdit.put(Long.parseLong(line.substring(EditingSession.MADE.length())), System.nanoTime());
-            } else if (line.startsWith(EditingSession.SYNCED)) {
-                synced = Long.parseLong(line.substring(EditingSession.SYNCED.length()));
+            if (line.startsWith(MADE)) {
+                nanosByEdit.put(Long.parseLong(line.substring(MADE.length())), System.nanoTime());
+            } else if (line.startsWith(SYNCED)) {
+                synced = Long.parseLong(line.substring(SYNCED.length()));
             } else {
                 failure = line;
             }
@@ -100,8 +118,7 @@ public final class JournalKillProof implements Proof {
 
     /** Runs a session and kills it; returns the moment before the kill. */
     private long session(Path folder, SplittableRandom random, Printed printed) throws Exception {
-        try (var child = KillableProcess.start(
-                        KillableProcess.Errors.IN_OUTPUT, EditingSession.class, folder.toString());
+        try (var child = KillableProcess.startWithErrors(JournalKillProof.class, folder.toString());
                 var lines = new BufferedReader(new InputStreamReader(child.output(), StandardCharsets.UTF_8))) {
             printed.line(String.valueOf(lines.readLine()));
             long end = System.nanoTime() + (long) (random.nextDouble() * longestSeconds * 1e9);
@@ -146,10 +163,79 @@ public final class JournalKillProof implements Proof {
     }
 
     private static boolean isState(RecoverableWork work) {
-        Level expected = EditingSession.start();
+        Level expected = start();
         for (int edit = 1; edit <= work.edits(); edit++) {
-            expected = EditingSession.edited(expected, edit);
+            expected = edited(expected, edit);
         }
-        return work.level().equals(expected) && work.saved().equals(EditingSession.start());
+        return work.level().equals(expected) && work.saved().equals(start());
+    }
+
+    /**
+     * Edits an untitled level until the process is killed, an edit a frame as in a drag. It prints a line {@code made N}
+     * when edit N is made and {@code synced N} when the journal says that it is on disk.
+     *
+     * @param arguments the folder of the journals
+     */
+    public static void main(String[] arguments) {
+        var folder = new JournalFolder(Path.of(arguments[0]), InstantSource.system());
+        Level level = start();
+        Journal journal = folder.open(DocumentFile.UNTITLED, "session", level, printing());
+        for (int edit = 1; edit <= MOST_EDITS && !System.out.checkError(); edit++) {
+            level = edited(level, edit);
+            journal.record("edit " + edit, level);
+            System.out.println(MADE + edit);
+            LockSupport.parkNanos(FRAME_NANOS);
+        }
+    }
+
+    /** Returns a listener that prints which edits are on disk. */
+    private static JournalListener printing() {
+        return new JournalListener() {
+            @Override
+            public void recorded(long number) {
+                System.out.println(SYNCED + number);
+            }
+
+            @Override
+            public void failed(Words message) {
+                System.out.println("failed " + message);
+            }
+        };
+    }
+
+    /** Returns the level before the first edit. */
+    private static Level start() {
+        List<Solid> solids = new ArrayList<>();
+        for (int i = 0; i < SOLIDS; i++) {
+            solids.add(box(i, 0));
+        }
+        Environment environment = LevelJson.read(
+                        "start", "{\"format\": \"nephele-level\", \"version\": 1}".getBytes(StandardCharsets.UTF_8))
+                .environment();
+        return Level.of("session", "", environment, List.of()).with(List.of(), solids);
+    }
+
+    /** Returns the level after an edit: one solid is moved, or for every seventh edit all are. */
+    private static Level edited(Level before, int edit) {
+        List<Solid> solids = new ArrayList<>(before.solids());
+        if (edit % 7 == 0) {
+            for (int i = 0; i < SOLIDS; i++) {
+                solids.set(i, box(i, edit));
+            }
+        } else {
+            solids.set(edit * 31 % SOLIDS, box(edit * 31 % SOLIDS, edit));
+        }
+        return before.with(before.materials(), List.copyOf(solids));
+    }
+
+    private static Solid box(int index, int edit) {
+        return new Solid.Box(
+                "solid-" + index,
+                null,
+                false,
+                TextureMapping.WORLD,
+                new Vec3(index * 2, edit * 0.125, 0),
+                new Vec3(1, 1, 1),
+                Map.of());
     }
 }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
+import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
 import nephele.editor.session.EditorSetting.Theme;
 import nephele.editor.session.EditorSettings;
@@ -33,7 +34,8 @@ public record PaintedPanel(JComponent panel) {
                 .with(EditorSetting.LANGUAGE, language);
     }
 
-    private static void layOut(Container container) {
+    /** Lays out a container and what is in it: without a window it does not do so itself. */
+    static void layOut(Container container) {
         container.doLayout();
         for (Component child : container.getComponents()) {
             if (child instanceof Container inner) {
@@ -59,9 +61,14 @@ public record PaintedPanel(JComponent panel) {
         return this;
     }
 
-    /** Returns the texts that are cut off; the texts of the user are excepted. */
-    public List<String> clipped(UserTexts data) {
-        return CutTexts.in(panel, data);
+    /** Returns the texts that are cut off; paths of files are excepted. */
+    public List<String> clipped() {
+        return CutTexts.in(panel);
+    }
+
+    /** Returns the texts that are cut off; ids of the session's level and paths of files are excepted. */
+    public List<String> clipped(EditorSession session) {
+        return CutTexts.in(panel, session);
     }
 
     /** Returns all components of a type within a container. */

@@ -19,10 +19,8 @@ import nephele.editor.pane.PerspectiveCamera;
 import nephele.editor.pane.PlanCamera;
 import nephele.editor.save.DocumentFile;
 import nephele.editor.session.EditorSession;
-import nephele.editor.start.EditorParts;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.window.EditorPanel;
-import nephele.editor.window.PanelPicture;
 import nephele.editor.window.WindowLook;
 import nephele.editor.window.dialog.DialogFrame;
 import nephele.engine.math.Vec3;
@@ -74,7 +72,7 @@ final class PicturedEditor implements AutoCloseable {
         WindowLook.apply(look.settings());
         DocumentFile.Opened empty = DocumentFile.untitled();
         session = new EditorSession(empty.file(), empty.level(), empty.assets(), look.settings());
-        panel = EditorParts.panel(session, ui.surroundings());
+        panel = ui.panel(session);
         script = new ScriptRunner(session, ui);
         furnish(script, ui);
         session.panes(PicturedEditor::turnedToRoom);
@@ -128,7 +126,7 @@ final class PicturedEditor implements AutoCloseable {
     }
 
     private void layOut() {
-        PanelPicture.layOut(panel, look.screen());
+        panel.layOut(look.screen());
         Dimension size = viewport().getSize();
         session.viewport(new PaneSize(size.width, size.height));
     }
@@ -149,7 +147,7 @@ final class PicturedEditor implements AutoCloseable {
 
     /** Returns the texts of a container that are cut off. */
     List<String> cut(Container part) {
-        return CutTexts.in(part, UserTexts.of(session));
+        return CutTexts.in(part, session);
     }
 
     /** Returns the texts of the whole editor that are cut off. */
@@ -160,7 +158,7 @@ final class PicturedEditor implements AutoCloseable {
 
     /** Paints the whole editor, its viewport included. */
     BufferedImage picture() {
-        BufferedImage picture = PanelPicture.of(panel);
+        BufferedImage picture = panel.picture();
         panel.viewport().surface().failure().ifPresent(failure -> {
             throw new IllegalStateException("the viewport cannot be drawn: " + failure, failure);
         });

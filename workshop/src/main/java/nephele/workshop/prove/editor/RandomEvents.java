@@ -2,6 +2,7 @@ package nephele.workshop.prove.editor;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Point;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -11,13 +12,20 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import nephele.editor.action.EditorCommand;
+import nephele.editor.action.ProvingActions;
 import nephele.editor.document.EntityBounds;
 import nephele.editor.pane.PaneCamera.PanePoint;
 import nephele.editor.pane.PaneLayout;
 import nephele.editor.pane.PaneLayout.PaneRectangle;
+import nephele.editor.problem.LevelProblem;
+import nephele.editor.problem.ProblemSearch;
+import nephele.editor.proving.TracedCorner;
+import nephele.editor.record.Entities;
 import nephele.editor.record.EntityRef;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.EditorSetting;
+import nephele.editor.text.Words;
+import nephele.editor.window.file.FileDrops;
 import nephele.engine.math.Aabb;
 
 /**
@@ -42,13 +50,18 @@ final class RandomEvents {
     /** These take minutes: the traced corner has an event of its own. A picture would need a window. */
     private static final List<String> LEFT_OUT = List.of("trade", "path-trace", "screenshot");
 
+    private static final int TRACED_SAMPLES = 1;
     private static final double NEAR_PIXELS = 90;
     private static final int[] SCALES = {100, 125, 150, 200};
 
     private final EditorUnderEvents editor;
     private final SplittableRandom random;
     private final RandomPanelInput panels;
-    private final RandomSessionInput others;
+    private final Supplier<Path> dropped;
+    private final FileDrops drops;
+    /** Problems of the level, which may be those before the last edits. */
+    private List<LevelProblem> problems = List.of();
+
     private final DialogStage dialogues;
     /** The button of the drag in progress; 0 without one. */
     private int held;
@@ -62,7 +75,9 @@ final class RandomEvents {
         this.editor = editor;
         this.random = random;
         panels = new RandomPanelInput(editor.panel(), random, LEFT_OUT);
-        others = new RandomSessionInput(editor, random, dropped);
+        this.dropped = dropped;
+        EditorSession session = editor.session();
+        drops = new FileDrops(session, editor.panel().viewport(), random::nextBoolean, session::status);
         dialogues = editor.dialogues();
     }
 
@@ -100,12 +115,12 @@ final class RandomEvents {
             panels.send();
         } else if (kind < 962) {
             last = "a problem";
-            last = others.problem();
+            last = problem();
         } else if (kind < 967) {
             last = "a drop";
-            last = others.drop();
+            last = drop();
         } else if (kind < 970) {
-            last = others.trace();
+            last = trace();
         } else if (kind < 980) {
             Dimension size = new Dimension(500 + random.nextInt(700), 350 + random.nextInt(450));
             last = "resize " + size;
@@ -202,9 +217,7 @@ final class RandomEvents {
         if (all.isEmpty() || places.isEmpty() || random.nextInt(3) == 0) {
             return;
         }
-        Aabb box = session()
-                .document()
-                .entities()
+        Aabb box = Entities.LEVEL
                 .find(session().document().level(), all.get(random.nextInt(all.size())))
                 .map(EntityBounds::of)
                 .orElse(Aabb.EMPTY);
@@ -218,7 +231,7 @@ final class RandomEvents {
         boolean takesSelected = !selected.isEmpty() && random.nextBoolean();
         return takesSelected
                 ? selected
-                : session().document().entities().all(session().document().level());
+                : Entities.LEVEL.all(session().document().level());
     }
 
     private void near(PaneRectangle place, Aabb box) {
@@ -228,12 +241,12 @@ final class RandomEvents {
                 .get(place.index())
                 .camera()
                 .project(box.centre(), place.size())
-                .ifPresent(seen -> place(place, seen));
+                .ifPresent(projected -> place(place, projected));
     }
 
-    private void place(PaneRectangle place, PanePoint seen) {
-        double inX = seen.x() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
-        double inY = seen.y() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
+    private void place(PaneRectangle place, PanePoint projected) {
+        double inX = projected.x() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
+        double inY = projected.y() + (random.nextDouble() - 0.5) * NEAR_PIXELS;
         if (inX >= 0 && inX < place.width() && inY >= 0 && inY < place.height()) {
             x = (int) (place.x() + inX);
             y = (int) (place.y() + inY);
@@ -265,5 +278,46 @@ final class RandomEvents {
             last = "command " + id + " with " + session().toolEntry().id();
             editor.panel().commands().named(id).ifPresent(EditorCommand::run);
         }
+    }
+
+    /** Drops a file; returns the event in words. */
+    private String drop() {
+        Path file = dropped.get();
+        int width = Math.max(1, editor.panel().viewport().getWidth());
+        int height = Math.max(1, editor.panel().viewport().getHeight());
+        drops.drop(List.of(file), new Point(random.nextInt(width + 20), random.nextInt(height + 20)));
+        return "drop " + file.getFileName();
+    }
+
+    /** Chooses, fixes or hides a problem, which may be one of a level before the last edits; returns it in words. */
+    private String problem() {
+        EditorSession session = session();
+        if (problems.isEmpty() || random.nextInt(3) == 0) {
+            problems = session.background()
+                    .get(() -> ProblemSearch.of(session.document().level(), session.assets()));
+            session.proving().problems().found(problems);
+        }
+        if (problems.isEmpty()) {
+            return "no problem";
+        }
+        LevelProblem problem = problems.get(random.nextInt(problems.size()));
+        int what = random.nextInt(4);
+        if (what == 0) {
+            ProvingActions.choose(session, problem);
+        } else if (what == 1) {
+            session.document().edit(Words.same("hide"), level -> LevelProblem.hide(level, problem));
+        } else if (!problem.fixes().isEmpty()) {
+            LevelProblem.Fix fix =
+                    problem.fixes().get(random.nextInt(problem.fixes().size()));
+            session.document().edit(fix.label(), fix.change());
+        }
+        return "problem " + what + ": " + problem.path() + " " + problem.message();
+    }
+
+    /** Shows the path-traced corner, which is slow, or takes it away. */
+    private String trace() {
+        TracedCorner corner = session().proving().corner();
+        corner.show(!corner.isVisible(), TRACED_SAMPLES);
+        return "traced corner " + corner.isVisible();
     }
 }

@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.editor.action.UserInterface;
+import nephele.editor.session.EditorSession;
 import nephele.editor.start.EditorParts;
 import nephele.editor.text.Words;
+import nephele.editor.window.EditorPanel;
 import nephele.editor.window.dialog.DialogOpener;
 
 /** The ui of an editor without a window: its user agrees to everything, and cancels every choice of a place to save. */
@@ -24,9 +26,9 @@ final class StageDesk implements UserInterface {
         this.toOpen = toOpen;
     }
 
-    /** Returns what connects an editor with this ui. */
-    EditorParts.EditorSurroundings surroundings() {
-        return new EditorParts.EditorSurroundings(this, parts::put, owner -> dialogues);
+    /** Returns the whole editor of a session, with this ui. */
+    EditorPanel panel(EditorSession session) {
+        return EditorParts.panel(session, this, parts::put, owner -> dialogues);
     }
 
     @Override

@@ -141,7 +141,7 @@ public final class EditsProof implements Proof {
                         edit();
                     }
                     if (unit % EDITS_BETWEEN_COMPARISONS == EDITS_BETWEEN_COMPARISONS - 1) {
-                        tell("edit " + unit, Differences.of(town, fresh()));
+                        report("edit " + unit, Differences.of(town, fresh()));
                     }
                     progress.unitsDone(unit + 1 - from);
                 }
@@ -204,14 +204,14 @@ public final class EditsProof implements Proof {
                     differences.add("picture");
                 }
             }
-            tell("the last edit", differences);
+            report("the last edit", differences);
         }
 
         private EditedTown fresh() {
             return EditedTown.of(PlacedLevel.of(town.placed().level(), assets), baked);
         }
 
-        private void tell(String when, List<String> differences) {
+        private void report(String when, List<String> differences) {
             if (!differences.isEmpty()) {
                 String example = when + ": " + String.join(", ", differences);
                 failures.add(example);

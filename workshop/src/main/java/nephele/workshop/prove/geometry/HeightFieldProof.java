@@ -152,22 +152,22 @@ public final class HeightFieldProof implements Proof {
         private void sweep(long unit, SplittableRandom random, Ground ground, boolean isLarge) {
             RoundedHull shape = shape(random);
             Vector3d at = place(random, ground.field);
-            Vector3d way = displacement(random);
-            int[] triangles = isLarge ? ground.within(around(shape, at, way)) : ground.all();
+            Vector3d displacement = displacement(random);
+            int[] triangles = isLarge ? ground.within(around(shape, at, displacement)) : ground.all();
             double fraction = 1;
             double depth = 0;
             int first = -1;
             Vector3d normal = new Vector3d();
             for (int triangle : triangles) {
                 CollisionWorld alone = ground.alone(triangle);
-                if (sweep.cast(alone, shape, at, way) && (first < 0 || sweep.fraction() < fraction)) {
+                if (sweep.cast(alone, shape, at, displacement) && (first < 0 || sweep.fraction() < fraction)) {
                     fraction = sweep.fraction();
                     first = triangle;
                     normal.set(sweep.normal());
                 }
                 depth = unit % DEPTHS == 0 ? Math.max(depth, depenetration.depth(alone, shape, at)) : depth;
             }
-            sweep.cast(ground.world, shape, at, way);
+            sweep.cast(ground.world, shape, at, displacement);
             expect(sweep.collider() == first && sweep.fraction() == fraction, "sweep", unit, ground);
             expect(first < 0 || sweep.normal().equals(normal), "normal of a sweep", unit, ground);
             if (unit % DEPTHS == 0) {
@@ -178,8 +178,8 @@ public final class HeightFieldProof implements Proof {
         }
 
         /** Returns bounds with a margin for the depth of the solid below a triangle and for the skin. */
-        private static Aabb around(RoundedHull shape, Vector3d at, Vector3d way) {
-            Vector3d end = new Vector3d(at).add(way);
+        private static Aabb around(RoundedHull shape, Vector3d at, Vector3d displacement) {
+            Vector3d end = new Vector3d(at).add(displacement);
             Vector3d least = new Vector3d(at).min(end).add(shape.least(0), shape.least(1), shape.least(2));
             Vector3d most = new Vector3d(at).max(end).add(shape.greatest(0), shape.greatest(1), shape.greatest(2));
             return new Aabb(least.x, least.y, least.z, most.x, most.y, most.z).grown(0.1);

@@ -85,17 +85,17 @@ public final class SeparationProof implements Proof {
 
         /** Returns true if a core that moves out by its depth and the band no longer touches the solid. */
         private boolean parts(SeparationSample pair, double measured, double extent) {
-            double way = Math.max(0, -measured) + 2 * BAND * extent;
+            double metres = Math.max(0, -measured) + 2 * BAND * extent;
             var normal = new Vector3d(separation.normal());
-            double gap = pair.distance(normal.mul(way));
+            double gap = pair.distance(normal.mul(metres));
             stuck = Math.max(stuck, 2 * BAND - gap / extent);
             return gap > BAND * extent;
         }
 
         /** Returns true if no shorter displacement along the normal of a face separates the pair. */
         private boolean least(long unit, SeparationSample pair, double measured, double extent) {
-            double way = -measured - 2 * BAND * extent;
-            return way <= 0 || pair.distance(pair.faceNormal(unit).mul(way)) <= BAND * extent;
+            double metres = -measured - 2 * BAND * extent;
+            return metres <= 0 || pair.distance(pair.faceNormal(unit).mul(metres)) <= BAND * extent;
         }
     }
 }

@@ -99,6 +99,7 @@ public final class TerrainDetailProof implements Proof {
         private final DetailTiles tiles = new DetailTiles();
         private final List<String> failures = new ArrayList<>();
         private double worstPixels;
+        private double worstOfView;
         private double mostTriangles;
         private long drawn;
         private long inView;
@@ -110,31 +111,62 @@ public final class TerrainDetailProof implements Proof {
 
         void take(long unit, View view, HeightFieldDetail detail) {
             Matrix4d clip = view.clipFromRelative(new Matrix4d());
-            Frustum seen = Frustum.of(clip, view.eye());
+            Frustum visible = Frustum.of(clip, view.eye());
             DetailRanges ranges = DetailRanges.of(detail, TerrainTiles.scale(view.projection(), WIDTH, HEIGHT, 1));
-            tiles.select(ranges, TerrainTiles.seenFrom(view), seen);
-            PixelError error = new PixelError(field, view, WIDTH, HEIGHT);
-            new DrawnDetail(field, TerrainTiles.seenFrom(view), tiles).samples(error);
-            samples += error.samples();
-            worstPixels = Math.max(worstPixels, error.worst());
-            if (error.worst() > 1) {
-                failures.add("camera " + unit + ": a sample is drawn " + error.worst() + " pixels from its place");
+            tiles.select(ranges, TerrainTiles.seenFrom(view), visible);
+            worstOfView = 0;
+            double tanHalfWidth = view.projection().tanHalfWidth();
+            double tanHalfHeight = view.projection().tanHalfHeight();
+            new DrawnDetail(field, TerrainTiles.seenFrom(view), tiles)
+                    .samples((column, row, drawnHeight) ->
+                            compare(view, tanHalfWidth, tanHalfHeight, column, row, drawnHeight));
+            worstPixels = Math.max(worstPixels, worstOfView);
+            if (worstOfView > 1) {
+                failures.add("camera " + unit + ": a sample is drawn " + worstOfView + " pixels from its place");
             }
             long triangles = 2L * tiles.count() * HeightFieldDetail.TILE_CELLS * HeightFieldDetail.TILE_CELLS;
             mostTriangles = Math.max(mostTriangles, triangles);
             drawn += triangles;
-            inView += trianglesInView(seen);
+            inView += trianglesInView(visible);
+        }
+
+        /** Measures the distance of a sample from the place where the view draws it, if both are within the picture. */
+        private void compare(
+                View view, double tanHalfWidth, double tanHalfHeight, int column, int row, double drawnHeight) {
+            double x = field.x(column) - view.eyeX();
+            double z = field.z(row) - view.eyeZ();
+            double y = field.y(field.height(column, row)) - view.eyeY();
+            double up = drawnHeight - field.height(column, row);
+            double depth = -view.alongBack(x, y, z);
+            double drawnDepth = -view.alongBack(x, y + up, z);
+            if (Math.min(depth, drawnDepth) < view.projection().nearMetres()) {
+                return;
+            }
+            double right = view.alongRight(x, y, z) / depth / tanHalfWidth;
+            double above = view.alongUp(x, y, z) / depth / tanHalfHeight;
+            double drawnRight = view.alongRight(x, y + up, z) / drawnDepth / tanHalfWidth;
+            double drawnAbove = view.alongUp(x, y + up, z) / drawnDepth / tanHalfHeight;
+            if (isWithin(right, above) && isWithin(drawnRight, drawnAbove)) {
+                samples++;
+                double across = (drawnRight - right) * WIDTH / 2;
+                double along = (drawnAbove - above) * HEIGHT / 2;
+                worstOfView = Math.max(worstOfView, Math.sqrt(across * across + along * along));
+            }
+        }
+
+        private static boolean isWithin(double right, double above) {
+            return Math.abs(right) <= 1 && Math.abs(above) <= 1;
         }
 
         /** Returns the triangles that are drawn without coarser ones: of all blocks of 64 × 64 cells in view. */
-        private long trianglesInView(Frustum seen) {
+        private long trianglesInView(Frustum visible) {
             int level = field.blockLevel(TerrainMesh.CHUNK_CELLS);
             double[] bounds = new double[6];
             long blocks = 0;
             for (int row = 0; row < field.blockRows(level); row++) {
                 for (int column = 0; column < field.blockColumns(level); column++) {
                     field.writeBlock(level, column, row, bounds);
-                    blocks += seen.classify(bounds, 0, seen.allPlanes()) != Frustum.OUTSIDE ? 1 : 0;
+                    blocks += visible.classify(bounds, 0, visible.allPlanes()) != Frustum.OUTSIDE ? 1 : 0;
                 }
             }
             return blocks * 2 * TerrainMesh.CHUNK_CELLS * TerrainMesh.CHUNK_CELLS;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
@@ -14,7 +15,14 @@ import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.Terrain;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.SeededNoise;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.PlayerDimensions;
@@ -46,6 +54,9 @@ public final class TerrainProof implements Proof {
 
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0);
 
+    private static final double RIM_METRES = 60;
+    private static final double FAR_METRES = 1e4;
+
     /** A player that falls out of the world restarts here, where the check detects it. */
     private static final PlayerStart FAR_AWAY = new PlayerStart(new Vec3(1e6, 1e6, 1e6), 0, 0);
 
@@ -62,28 +73,82 @@ public final class TerrainProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        Findings findings = new Findings();
-        Thrower thrower = null;
+        Run run = new Run();
         for (long unit = from; unit < from + count; unit++) {
-            long number = unit / STARTS_PER_VALLEY;
-            if (thrower == null || thrower.number != number) {
-                thrower = new Thrower(number, findings);
-            }
-            thrower.test(unit);
+            run.test(unit);
             progress.unitsDone(unit + 1 - from);
         }
-        return findings.result(count);
+        return run.result(count);
     }
 
-    /** The results so far. */
-    private static final class Findings {
+    /** Returns a valley with steep hills around it: oblong cells, bumps of any size, sometimes far from the world's origin. */
+    private static HeightField valley(long number) {
+        SplittableRandom random = new SplittableRandom(number);
+        int columns = random.nextInt(9, 65);
+        int rows = random.nextInt(9, 65);
+        double far = random.nextInt(4) == 0 ? FAR_METRES : 0;
+        double bumps = StrictMath.pow(10, random.nextDouble(-3, 1.2));
+        double roughness = random.nextDouble(0.05, 0.9);
+        SeededNoise noise = new SeededNoise(random.nextInt());
+        Vec3 origin = new Vec3(far, random.nextDouble(-50, 50), -far);
+        return HeightField.of(
+                origin,
+                random.nextDouble(0.3, 4),
+                random.nextDouble(0.3, 4),
+                columns,
+                rows,
+                (column, row) -> bumps * noise.at(roughness * column, roughness * row, 0.5)
+                        + rim(column, columns)
+                        + rim(row, rows));
+    }
+
+    private static double rim(int at, int count) {
+        double aside = Math.abs(2.0 * at / (count - 1) - 1);
+        return RIM_METRES * aside * aside * aside * aside;
+    }
+
+    /** The throws in one valley after another, and their results. */
+    private static final class Run {
+        private final Depenetration depenetration = new Depenetration();
+        private long number = -1;
+        private HeightField field;
+        private CollisionWorld world;
+        private Simulation simulation;
         private final List<String> falls = new ArrayList<>();
         private long ticks;
         private long players;
         private long bodies;
         private double lowest = Double.POSITIVE_INFINITY;
 
-        boolean look(long unit, String what, double above) {
+        void test(long unit) {
+            if (number != unit / STARTS_PER_VALLEY) {
+                number = unit / STARTS_PER_VALLEY;
+                enter(valley(number));
+            }
+            SplittableRandom random = new SplittableRandom(~unit);
+            if (unit % 2 == 0) {
+                throwPlayer(unit, random);
+            } else {
+                throwBody(unit, random);
+            }
+        }
+
+        private void enter(HeightField valley) {
+            field = valley;
+            var authored = new Terrain(
+                    "valley",
+                    "none",
+                    Vec3.ZERO,
+                    new Terrain.Sides(1, 1),
+                    new Terrain.HeightRange(0, 1),
+                    List.of(),
+                    false);
+            var grid = new StaticShape.HeightGrid(0, authored, valley);
+            world = CollisionWorld.of(new StaticShapes(List.of(), PlacedModels.NONE, List.of(grid)));
+            simulation = new Simulation(world, FAR_AWAY, SimSettings.DEFAULT);
+        }
+
+        private boolean look(long unit, String what, double above) {
             ticks++;
             lowest = Math.min(lowest, above);
             if (above > 0) {
@@ -103,43 +168,31 @@ public final class TerrainProof implements Proof {
                     Figure.sum("bodies", bodies, ""),
                     Figure.least("least height of a centre above the ground", lowest, "m"));
         }
-    }
 
-    /** One valley and the throws in it. */
-    private static final class Thrower {
-        private final long number;
-        private final Findings findings;
-        private final Valley valley;
-        private final Simulation simulation;
-        private final Depenetration depenetration = new Depenetration();
-
-        Thrower(long number, Findings findings) {
-            this.number = number;
-            this.findings = findings;
-            valley = Valley.of(number);
-            simulation = new Simulation(valley.world(), FAR_AWAY, SimSettings.DEFAULT);
+        /** Returns the height of a point above the ground; infinity beside the terrain. */
+        private double above(double x, double y, double z) {
+            double ground = HeightFieldSurface.y(field, x, z);
+            return Double.isNaN(ground) ? Double.POSITIVE_INFINITY : y - ground;
         }
 
-        void test(long unit) {
-            SplittableRandom random = new SplittableRandom(~unit);
-            if (unit % 2 == 0) {
-                throwPlayer(unit, random);
-            } else {
-                throwBody(unit, random);
-            }
+        /** Returns a random place at a height above the ground, metres. */
+        private Vec3 place(SplittableRandom random, double metres) {
+            double x = field.x(0) + field.cellX() * field.cellColumns() * random.nextDouble(0.1, 0.9);
+            double z = field.z(0) + field.cellZ() * field.cellRows() * random.nextDouble(0.1, 0.9);
+            return new Vec3(x, HeightFieldSurface.y(field, x, z) + metres, z);
         }
 
         private void throwPlayer(long unit, SplittableRandom random) {
-            Vec3 feet = valley.place(random, StrictMath.pow(10, random.nextDouble(-3, 1)));
+            Vec3 feet = place(random, StrictMath.pow(10, random.nextDouble(-3, 1)));
             Vector3d centre = new Vector3d(feet.x(), feet.y() + Stance.STANDING.centreAboveFeet(), feet.z());
-            if (!depenetration.isFree(valley.world(), Stance.STANDING.shape(), centre)) {
+            if (!depenetration.isFree(world, Stance.STANDING.shape(), centre)) {
                 feet = feet.plus(new Vec3(0, 5, 0));
                 centre.y += 5;
-                if (!depenetration.isFree(valley.world(), Stance.STANDING.shape(), centre)) {
+                if (!depenetration.isFree(world, Stance.STANDING.shape(), centre)) {
                     return;
                 }
             }
-            findings.players++;
+            players++;
             PlayerState player = PlayerState.standing(feet, ViewAngles.ofDegrees(360 * random.nextDouble(), 0))
                     .withVelocity(velocity(random));
             SimState state = new SimState(0, 0, 0, player);
@@ -147,8 +200,8 @@ public final class TerrainProof implements Proof {
             for (int tick = 0; tick < PLAYER_TICKS && isAbove; tick++) {
                 state = simulation.step(state, input(random));
                 Vec3 at = state.player().feet();
-                double above = valley.above(at.x(), at.y() + Stance.STANDING.centreAboveFeet(), at.z());
-                isAbove = findings.look(unit, "player", above);
+                double above = above(at.x(), at.y() + Stance.STANDING.centreAboveFeet(), at.z());
+                isAbove = look(unit, "player", above);
             }
         }
 
@@ -159,17 +212,17 @@ public final class TerrainProof implements Proof {
                 return;
             }
             Body body = body(random, at, size);
-            findings.bodies++;
+            bodies++;
             RigidStep step = new RigidStep(new BodyTable(List.of(body)), GRAVITY);
             Vec3 spin = new Vec3(random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-20, 20));
-            Bodies bodies = Bodies.of(List.of(BodyState.resting(body.centre()).moving(velocity(random), spin)));
-            PortalWorld space = PortalWorld.of(valley.world(), Portals.NONE);
+            Bodies thrown = Bodies.of(List.of(BodyState.resting(body.centre()).moving(velocity(random), spin)));
+            PortalWorld space = PortalWorld.of(world, Portals.NONE);
             Vector3d centre = new Vector3d();
             boolean isAbove = true;
             for (int tick = 0; tick < BODY_TICKS && isAbove; tick++) {
-                bodies = step.step(bodies, space, BodyInfluences.none(), TICK_SECONDS);
-                bodies.centre(0, centre);
-                isAbove = findings.look(unit, body.id(), valley.above(centre.x, centre.y, centre.z));
+                thrown = step.step(thrown, space, BodyInfluences.none(), TICK_SECONDS);
+                thrown.centre(0, centre);
+                isAbove = look(unit, body.id(), above(centre.x, centre.y, centre.z));
             }
         }
 
@@ -179,8 +232,8 @@ public final class TerrainProof implements Proof {
          */
         private Vec3 freePlace(SplittableRandom random, RoundedHull ball) {
             for (int i = 0; i < TRIES; i++) {
-                Vec3 at = valley.place(random, random.nextDouble(1.2, 6));
-                if (depenetration.isFree(valley.world(), ball, at.toVector())) {
+                Vec3 at = place(random, random.nextDouble(1.2, 6));
+                if (depenetration.isFree(world, ball, at.toVector())) {
                     return at;
                 }
             }
@@ -200,8 +253,8 @@ public final class TerrainProof implements Proof {
             double speed = random.nextInt(4) == 0
                     ? MAX_METRES_PER_SECOND
                     : MAX_METRES_PER_SECOND * StrictMath.pow(10, -4 * random.nextDouble());
-            Vec3 way = new Vec3(component(random), random.nextDouble(-1, 0.2), component(random));
-            return way.scaled(speed / way.length());
+            Vec3 direction = new Vec3(component(random), random.nextDouble(-1, 0.2), component(random));
+            return direction.scaled(speed / direction.length());
         }
 
         private static double component(SplittableRandom random) {

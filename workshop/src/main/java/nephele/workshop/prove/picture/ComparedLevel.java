@@ -31,9 +31,9 @@ import nephele.host.named.LevelCatalogue;
 /**
  * A level loaded for tracing and for drawing in several ways.
  *
- * @param <W> a way to draw
+ * @param <V> what differs between the pictures of a view
  */
-final class ComparedLevel<W> implements AutoCloseable {
+final class ComparedLevel<V> implements AutoCloseable {
     /** The largest value of {@code --set viewBudget}. */
     static final int UNLIMITED = 9999;
 
@@ -46,17 +46,18 @@ final class ComparedLevel<W> implements AutoCloseable {
     private final GlContext gl;
     private final TracedLevel traced;
     private final SeededCameras cameras;
-    private final Map<W, Renderer> renderers = new LinkedHashMap<>();
+    private final Map<V, Renderer> renderers = new LinkedHashMap<>();
 
-    /** @param ways in the order in which they are drawn */
-    ComparedLevel(GlContext gl, Level level, AssetSource assets, ColourDecoding decoding, Map<W, RenderSettings> ways) {
+    /** @param variants in the order in which they are drawn */
+    ComparedLevel(
+            GlContext gl, Level level, AssetSource assets, ColourDecoding decoding, Map<V, RenderSettings> variants) {
         this.gl = gl;
         var placed = PlacedLevel.of(level, assets);
         traced = TracedLevel.of(placed, decoding);
         cameras = new SeededCameras(level, traced, 16.0 / 9);
         var scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
         try {
-            ways.forEach((way, settings) -> renderers.put(way, LevelRenderer.load(gl, scene, settings)));
+            variants.forEach((variant, settings) -> renderers.put(variant, LevelRenderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {
             close();
             throw failure;
@@ -71,12 +72,12 @@ final class ComparedLevel<W> implements AutoCloseable {
         return cameras.view(camera);
     }
 
-    /** @param drawn called after each way has been drawn into {@code picture} */
-    void draw(View view, RenderTarget picture, BiConsumer<W, Renderer> drawn) {
-        renderers.forEach((way, renderer) -> {
+    /** @param drawn called after each variant has been drawn into {@code picture} */
+    void draw(View view, RenderTarget picture, BiConsumer<V, Renderer> drawn) {
+        renderers.forEach((variant, renderer) -> {
             renderer.draw(view, picture);
-            gl.requireNoError(way.toString());
-            drawn.accept(way, renderer);
+            gl.requireNoError(variant.toString());
+            drawn.accept(variant, renderer);
         });
     }
 

@@ -56,13 +56,13 @@ final class DarkRoom {
 
     Level level() {
         double yaw = 2 * Math.PI * random.nextDouble();
-        Vec3 way = new Vec3(StrictMath.cos(yaw), 0.05 + 2 * random.nextDouble(), StrictMath.sin(yaw));
+        Vec3 towards = new Vec3(StrictMath.cos(yaw), 0.05 + 2 * random.nextDouble(), StrictMath.sin(yaw));
         boolean isSunny = random.nextInt(3) > 0;
         double away = width + depth;
-        var outside = new Vec3(away * way.x(), height * way.y(), away * way.z());
+        var outside = new Vec3(away * towards.x(), height * towards.y(), away * towards.z());
         List<Light> lights =
                 isSunny ? List.of() : List.of(new Light.Point("lamp", outside, new Vec3(500, 500, 500), 40, true));
-        Sun sun = isSunny ? new Sun(way, ONE, true) : null;
+        Sun sun = isSunny ? new Sun(towards, ONE, true) : null;
         return boxes.lit(sun, lights);
     }
 

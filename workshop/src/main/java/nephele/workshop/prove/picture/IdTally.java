@@ -17,38 +17,31 @@ final class IdTally {
     /** The colour of an opening that the view budget does not reach. */
     static final int TERMINAL = 0xff00ff;
 
-    /** The number of views through portals that a picture may have. */
-    enum Views {
-        /** All visible views: none may be missing. */
-        ALL,
-        /** At most as many as a player's preset allows: missing ones are counted, not judged. */
-        BUDGETED
-    }
-
     private final List<String> failures = new ArrayList<>();
     private long pixels;
     private long atEdges;
     private long beyondEdges;
     private long beyondBudget;
     private long wrong;
-    private double largestTerminalShare;
+    private double largestTerminalFraction;
 
     /**
      * Compares a picture.
      *
-     * @param views whether every visible view was to be drawn
+     * @param viewBudget the number of views through portals that the picture may have: {@link ComparedLevel#UNLIMITED} if
+     *     none may be missing, else missing ones are counted, not judged
      * @param what names the picture and the way to draw it again
      */
-    void compare(BufferedImage drawn, SightPicture traced, Views views, String what) {
+    void compare(BufferedImage drawn, SightPicture traced, int viewBudget, String what) {
         int bad = 0;
-        int unseen = 0;
+        int missing = 0;
         String first = "";
         for (int i = 0; i < drawn.getWidth() * drawn.getHeight(); i++) {
             int column = i % drawn.getWidth();
             int row = i / drawn.getWidth();
             int colour = drawn.getRGB(column, drawn.getHeight() - 1 - row) & 0xffffff;
             if (colour == TERMINAL) {
-                unseen++;
+                missing++;
             } else if (colour != traced.at(column, row)) {
                 boolean isEdge = !traced.isPlain(column, row);
                 boolean isThere = traced.shows(colour, column, row);
@@ -62,12 +55,12 @@ final class IdTally {
         int all = drawn.getWidth() * drawn.getHeight();
         pixels += all;
         wrong += bad;
-        if (views == Views.BUDGETED) {
-            beyondBudget += unseen;
-            largestTerminalShare = Math.max(largestTerminalShare, (double) unseen / all);
-        } else if (unseen > 0) {
-            wrong += unseen;
-            failures.add(String.format(Locale.ROOT, "%s: %d pixels of views that were not drawn", what, unseen));
+        if (viewBudget < ComparedLevel.UNLIMITED) {
+            beyondBudget += missing;
+            largestTerminalFraction = Math.max(largestTerminalFraction, (double) missing / all);
+        } else if (missing > 0) {
+            wrong += missing;
+            failures.add(String.format(Locale.ROOT, "%s: %d pixels of views that were not drawn", what, missing));
         }
         if (bad > 0) {
             failures.add(String.format(Locale.ROOT, "%s: %d pixels show another surface, first %s", what, bad, first));
@@ -94,6 +87,6 @@ final class IdTally {
                 Figure.sum("pixels beside an edge that show something else than in their middle", atEdges, ""),
                 Figure.sum("of those, what no ray within a pixel meets", beyondEdges, ""),
                 Figure.sum("pixels of views beyond the default budget", beyondBudget, ""),
-                Figure.greatest("largest share of them in a picture", 100 * largestTerminalShare, "%"));
+                Figure.greatest("largest share of them in a picture", 100 * largestTerminalFraction, "%"));
     }
 }

@@ -42,9 +42,6 @@ final class LevelSigns {
      */
     record Sign(String name, Vec3 centre, Vec3 normal, double halfMetres) {}
 
-    /** A sign and a player who looks at it. */
-    record Sight(Sign sign, PlayerStart stand, double metres) {}
-
     private final CollisionWorld world;
     private final RayCast cast = new RayCast();
     private final List<Sign> signs = new ArrayList<>();
@@ -124,9 +121,9 @@ final class LevelSigns {
         return level.portals().size();
     }
 
-    /** Returns the sights of a sign, the farthest first; empty if nobody can stand where it is seen. */
-    List<Sight> sights(Sign sign) {
-        List<Sight> found = new ArrayList<>();
+    /** Returns players who look at a sign, the farthest first; empty if nobody can stand where it is visible. */
+    List<PlayerStart> viewers(Sign sign) {
+        List<PlayerStart> found = new ArrayList<>();
         for (int i = 0; i < DIRECTIONS; i++) {
             double turn = 2 * Math.PI * i / DIRECTIONS;
             Vec3 away = new Vec3(Math.sin(turn), 0, Math.cos(turn));
@@ -134,33 +131,42 @@ final class LevelSigns {
                 continue;
             }
             for (double metres : DISTANCES) {
-                Sight sight = sight(sign, sign.centre().addScaled(metres, away));
-                if (sight != null) {
-                    found.add(sight);
+                PlayerStart viewer = viewer(sign, sign.centre().addScaled(metres, away));
+                if (viewer != null) {
+                    found.add(viewer);
                     break;
                 }
             }
         }
-        found.sort(Comparator.comparingDouble(sight -> -Math.rint(sight.metres())));
+        found.sort(Comparator.comparingDouble(
+                viewer -> -Math.rint(fromEye(viewer.feet(), sign).length())));
         return found;
     }
 
-    private Sight sight(Sign sign, Vec3 over) {
+    private PlayerStart viewer(Sign sign, Vec3 over) {
         Vec3 from = over.plus(new Vec3(0, ABOVE_METRES, 0));
         if (!cast.cast(world, Ray.of(from, new Vec3(0, -1, 0)), BELOW_METRES)) {
             return null;
         }
         Vec3 feet = from.plus(new Vec3(0, -cast.distance() + 0.02, 0));
-        Vec3 eye = feet.plus(new Vec3(0, Stance.STANDING.eyeMetres(), 0));
-        Vec3 way = sign.centre().minus(eye);
-        double metres = way.length();
-        boolean isFree = !cast.cast(world, Ray.of(eye, way.scaled(1 / metres)), metres - 0.1)
+        Vec3 eye = eye(feet);
+        Vec3 towards = fromEye(feet, sign);
+        double metres = towards.length();
+        boolean isFree = !cast.cast(world, Ray.of(eye, towards.scaled(1 / metres)), metres - 0.1)
                 && !cast.cast(world, Ray.of(eye, new Vec3(0, 1, 0)), 0.3);
         if (!isFree || metres > 1.2 * FAR_METRES || metres < LEAST_METRES) {
             return null;
         }
-        double yaw = Math.toDegrees(Math.atan2(-way.x(), -way.z()));
-        double pitch = Math.toDegrees(Math.asin(way.y() / metres));
-        return new Sight(sign, new PlayerStart(feet, yaw, pitch), metres);
+        double yaw = Math.toDegrees(Math.atan2(-towards.x(), -towards.z()));
+        double pitch = Math.toDegrees(Math.asin(towards.y() / metres));
+        return new PlayerStart(feet, yaw, pitch);
+    }
+
+    private static Vec3 fromEye(Vec3 feet, Sign sign) {
+        return sign.centre().minus(eye(feet));
+    }
+
+    private static Vec3 eye(Vec3 feet) {
+        return feet.plus(new Vec3(0, Stance.STANDING.eyeMetres(), 0));
     }
 }

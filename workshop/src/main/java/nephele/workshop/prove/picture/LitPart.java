@@ -7,31 +7,31 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * The lit part of a face, as seen from the light. Where it is narrower than a texel's diagonal it may fall between the
- * texels of the shadow map.
+ * The lit part of a face, from the point of view of the light. Where it is narrower than a texel's diagonal it may fall
+ * between the texels of the shadow map.
  *
  * @param brushes all that may cast shadows, and the face's own
  * @param place on the face
  * @param normal of the face
- * @param way to the light, of unit length
+ * @param towardsLight of unit length
  * @param reachMetres distance within which a shadow caster counts
  */
-record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double reachMetres) {
+record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 towardsLight, double reachMetres) {
     private static final double TOUCH_METRES = 1e-6;
     private static final int DIRECTIONS = 24;
     private static final int STEPS = 12;
 
     /** Returns the lit part of the face at a place. */
-    static LitPart at(List<Brush> brushes, Vec3 place, Vec3 way, double reachMetres) {
+    static LitPart at(List<Brush> brushes, Vec3 place, Vec3 towardsLight, double reachMetres) {
         Vec3 normal = brushes.stream()
                 .filter(brush -> isWithin(brush, place))
                 .flatMap(brush -> brush.shape().faces().stream())
                 .filter(face -> Math.abs(face.plane().signedDistance(place)) < TOUCH_METRES)
                 .map(face -> face.plane().normal())
-                .filter(n -> n.dot(way) > 0)
+                .filter(n -> n.dot(towardsLight) > 0)
                 .findFirst()
-                .orElse(way);
-        return new LitPart(brushes, place, normal, way, reachMetres);
+                .orElse(towardsLight);
+        return new LitPart(brushes, place, normal, towardsLight, reachMetres);
     }
 
     /**
@@ -42,8 +42,8 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         if (!isLit(place)) {
             return false;
         }
-        Vec3 across = Directions.perpendicular(way);
-        Vec3 up = way.cross(across);
+        Vec3 across = Directions.perpendicular(towardsLight);
+        Vec3 up = towardsLight.cross(across);
         for (int i = 0; i < DIRECTIONS; i++) {
             double x = StrictMath.cos(Math.PI * i / DIRECTIONS);
             double y = StrictMath.sin(Math.PI * i / DIRECTIONS);
@@ -58,7 +58,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
 
     /** Returns the step on the face that appears, from the light, as the given step across its rays. */
     private Vec3 onFace(Vec3 step) {
-        return Directions.combined(step, 1, way, -normal.dot(step) / normal.dot(way));
+        return Directions.combined(step, 1, towardsLight, -normal.dot(step) / normal.dot(towardsLight));
     }
 
     private double litMetres(Vec3 direction, double most) {
@@ -81,7 +81,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         double leave = reachMetres;
         for (Face face : brush.shape().faces()) {
             double distance = face.plane().signedDistance(point);
-            double speed = face.plane().normal().dot(way);
+            double speed = face.plane().normal().dot(towardsLight);
             if (speed < 0) {
                 enter = Math.max(enter, -distance / speed);
             } else if (speed > 0) {

@@ -27,11 +27,12 @@ import nephele.workshop.prove.proof.ProofResult;
 public final class PortalIdsProof implements Proof {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
-    private static final Map<Way, RenderSettings> WAYS = ways();
+    private static final Map<Variant, RenderSettings> VARIANTS = variants();
 
     private final ComparedCameras cameras;
 
-    private record Way(PortalTechnique technique, int budget) {}
+    /** What differs between the drawn pictures of a camera. */
+    private record Variant(PortalTechnique technique, int budget) {}
 
     /** Uses the levels of the checkout in the working directory. */
     public PortalIdsProof() {
@@ -74,22 +75,21 @@ public final class PortalIdsProof implements Proof {
     private static void compare(ComparedCameras.Visit visit, GlContext gl, RenderTarget picture, IdTally tally) {
         var opened = new LevelName(visit.file()).open();
         var ids = IdLevel.of(ComparedLevel.compared(opened.level()));
-        try (var level = new ComparedLevel<>(gl, ids, opened.assets(), ColourDecoding.AS_STORED, WAYS)) {
+        try (var level = new ComparedLevel<>(gl, ids, opened.assets(), ColourDecoding.AS_STORED, VARIANTS)) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);
                 var sight = new SightPicture(level.traced(), view, WIDTH, HEIGHT);
                 String again = ComparedCameras.again(visit.file(), camera, view);
-                level.draw(view, picture, (way, renderer) -> {
-                    var views = way.budget() == ComparedLevel.UNLIMITED ? IdTally.Views.ALL : IdTally.Views.BUDGETED;
-                    String what = way.technique() + ", budget " + way.budget() + ", " + again;
-                    tally.compare(Capture.image(picture), sight, views, what);
+                level.draw(view, picture, (variant, renderer) -> {
+                    String what = variant.technique() + ", budget " + variant.budget() + ", " + again;
+                    tally.compare(Capture.image(picture), sight, variant.budget(), what);
                 });
             }
         }
     }
 
-    private static Map<Way, RenderSettings> ways() {
-        var ways = new LinkedHashMap<Way, RenderSettings>();
+    private static Map<Variant, RenderSettings> variants() {
+        var variants = new LinkedHashMap<Variant, RenderSettings>();
         for (PortalTechnique technique : ComparedLevel.TECHNIQUES) {
             for (int budget : new int[] {ComparedLevel.UNLIMITED, Quality.HIGH.viewBudget()}) {
                 Quality quality = Quality.HIGH
@@ -100,9 +100,9 @@ public final class PortalIdsProof implements Proof {
                 RenderSettings settings = RenderSettings.of(Output.PLAIN, quality)
                         .with(Decoration.OFF)
                         .with(Deepest.MARK);
-                ways.put(new Way(technique, budget), settings);
+                variants.put(new Variant(technique, budget), settings);
             }
         }
-        return ways;
+        return variants;
     }
 }

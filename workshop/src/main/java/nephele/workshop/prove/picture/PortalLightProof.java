@@ -77,7 +77,7 @@ public final class PortalLightProof implements Proof {
         long done = 0;
         try (var gl = GlContext.offscreen();
                 var picture = picture(gl, 1);
-                var finer = picture(gl, LitSums.FINER)) {
+                var finer = picture(gl, LitTally.FINER)) {
             for (var visit : visits) {
                 compare(visit, gl, List.of(picture, finer), tally);
                 done += visit.count();
@@ -109,7 +109,7 @@ public final class PortalLightProof implements Proof {
         var opened = new LevelName(file).open();
         String state = TracedPictures.levelHash(opened);
         var compared = ComparedLevel.compared(opened.level());
-        try (var level = new ComparedLevel<>(gl, compared, opened.assets(), ColourDecoding.SRGB, ways())) {
+        try (var level = new ComparedLevel<>(gl, compared, opened.assets(), ColourDecoding.SRGB, variants())) {
             for (int camera = visit.first(); camera < visit.first() + visit.count(); camera++) {
                 View view = level.view(camera);
                 Pinhole eye = TracedPictures.pinhole(view);
@@ -123,7 +123,7 @@ public final class PortalLightProof implements Proof {
                                 again,
                                 reference,
                                 once,
-                                finer.get(technique).reduced(LitSums.FINER)));
+                                finer.get(technique).reduced(LitTally.FINER)));
             }
         }
     }
@@ -139,8 +139,8 @@ public final class PortalLightProof implements Proof {
         return new LinearPicture(picture.width(), picture.height(), renderer.readRadiance());
     }
 
-    private static Map<PortalTechnique, RenderSettings> ways() {
-        var ways = new EnumMap<PortalTechnique, RenderSettings>(PortalTechnique.class);
+    private static Map<PortalTechnique, RenderSettings> variants() {
+        var variants = new EnumMap<PortalTechnique, RenderSettings>(PortalTechnique.class);
         for (PortalTechnique technique : ComparedLevel.TECHNIQUES) {
             // llvmpipe 22.3 takes ten seconds for an anisotropic picture in which a footprint degenerates.
             Quality quality = Quality.ULTRA
@@ -148,8 +148,8 @@ public final class PortalLightProof implements Proof {
                     .with("portalTechnique", technique)
                     .with("viewBudget", ComparedLevel.UNLIMITED)
                     .with("portalResolution", 1);
-            ways.put(technique, RenderSettings.of(Output.HDR, quality).with(Decoration.OFF));
+            variants.put(technique, RenderSettings.of(Output.HDR, quality).with(Decoration.OFF));
         }
-        return ways;
+        return variants;
     }
 }

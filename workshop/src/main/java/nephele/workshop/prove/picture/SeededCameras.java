@@ -35,7 +35,7 @@ final class SeededCameras {
     private final Portals portals;
     private final List<Integer> open = new ArrayList<>();
     private final List<Vec3> starts = new ArrayList<>();
-    private final VisibleSurface ways;
+    private final VisibleSurface sight;
     private final double aspect;
 
     SeededCameras(Level level, TracedLevel traced, double aspect) {
@@ -59,7 +59,7 @@ final class SeededCameras {
         if (starts.isEmpty()) {
             starts.add(Vec3.ZERO);
         }
-        ways = traced.sight(TracedPictures.pinhole(view(Vec3.ZERO, new Vec3(0, 0, -1), Math.PI / 3)));
+        sight = traced.sight(TracedPictures.pinhole(view(Vec3.ZERO, new Vec3(0, 0, -1), Math.PI / 3)));
     }
 
     View view(int number) {
@@ -114,7 +114,7 @@ final class SeededCameras {
             Vec3 eye = onFace(face, random, height);
             Vec3 d = direction(random, 1);
             double out = 0.1 * (2 * random.nextDouble() - 1) - d.dot(n);
-            if (!isInside(eye) && isSeen(eye, random)) {
+            if (!isInside(eye) && isVisible(eye, random)) {
                 View view = view(eye, unit(d.addScaled(out, n)), fov);
                 if (isWhole(view)) {
                     return view;
@@ -135,10 +135,10 @@ final class SeededCameras {
         return place;
     }
 
-    private boolean isSeen(Vec3 place, SplittableRandom random) {
+    private boolean isVisible(Vec3 place, SplittableRandom random) {
         Vec3 start = starts.get(random.nextInt(starts.size()));
-        Vec3 way = place.minus(start);
-        return ways.freeMetres(start, towards(start, place)) >= way.length() - 1e-6;
+        Vec3 displacement = place.minus(start);
+        return sight.freeMetres(start, towards(start, place)) >= displacement.length() - 1e-6;
     }
 
     /** Returns the end of two straight walks from a place that is known to be free, without crossing a portal. */
@@ -146,7 +146,7 @@ final class SeededCameras {
         Vec3 place = starts.get(random.nextInt(starts.size()));
         for (int i = 0; i < 2; i++) {
             Vec3 d = direction(random, 0.5);
-            double metres = Math.min(ways.freeMetres(place, d), MAX_WALK_METRES) * random.nextDouble();
+            double metres = Math.min(sight.freeMetres(place, d), MAX_WALK_METRES) * random.nextDouble();
             Vec3 next = place.addScaled(metres, d);
             place = isInside(next) ? place : next;
         }

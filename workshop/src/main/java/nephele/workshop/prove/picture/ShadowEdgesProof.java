@@ -22,7 +22,6 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import nephele.host.named.Viewpoints;
 import nephele.lab.bake.TracedPictures;
-import nephele.workshop.prove.picture.ShadowScene.Shadows;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -78,10 +77,10 @@ public final class ShadowEdgesProof implements Proof {
         var scene = new ShadowScene(unit / 5).fitted(Quality.HIGH);
         Vec3[] camera = scene.camera((int) (unit % 5));
         View view = Viewpoints.between(camera[0], camera[1], FOV_DEGREES, (double) WIDTH / HEIGHT);
-        float[] shaded = radiance(scene.level(Shadows.CAST), view, gl, picture);
-        float[] open = radiance(scene.level(Shadows.LEFT_OUT), view, gl, picture);
+        float[] shaded = radiance(scene.level(), view, gl, picture);
+        float[] open = radiance(scene.levelWithoutShadows(), view, gl, picture);
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        var traced = TracedLevel.of(PlacedLevel.of(scene.level(Shadows.CAST), assets), ColourDecoding.SRGB);
+        var traced = TracedLevel.of(PlacedLevel.of(scene.level(), assets), ColourDecoding.SRGB);
         var sights = new SightPicture(traced, view, WIDTH, HEIGHT);
         VisibleSurface sight = traced.sight(TracedPictures.pinhole(view));
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -125,11 +124,11 @@ public final class ShadowEdgesProof implements Proof {
 
     /** Returns 0 if the ray agrees, else the distance across the light, in texels, to a place at which a ray agrees. */
     private static double offTexels(ShadowScene scene, VisibleSurface sight, boolean isLit) {
-        Vec3 way = scene.wayToLight(sight.place());
-        if (sight.isLit(Vec3.ZERO, way, scene.limit()) == isLit) {
+        Vec3 towards = scene.towardsLight(sight.place());
+        if (sight.isLit(Vec3.ZERO, towards, scene.limit()) == isLit) {
             return 0;
         }
-        Vec3 unit = Directions.unit(way);
+        Vec3 unit = Directions.unit(towards);
         Vec3 across = Directions.perpendicular(unit);
         Vec3 up = unit.cross(across);
         double texel = scene.texelMetres(sight.place());
@@ -138,7 +137,7 @@ public final class ShadowEdgesProof implements Proof {
                 double x = radius * texel * StrictMath.cos(2 * Math.PI * i / DIRECTIONS);
                 double y = radius * texel * StrictMath.sin(2 * Math.PI * i / DIRECTIONS);
                 Vec3 shift = Directions.combined(across, x, up, y);
-                if (sight.isLit(shift, way, scene.limit()) == isLit) {
+                if (sight.isLit(shift, towards, scene.limit()) == isLit) {
                     return radius;
                 }
             }

@@ -31,6 +31,8 @@ final class ShadowScene {
     private final Vec3 axis;
 
     private final double half;
+    /** The side in metres of the sun's texels, after {@link #fitted}. */
+    private double sunTexel;
 
     ShadowScene(long number) {
         var random = new SplittableRandom(number);
@@ -59,21 +61,23 @@ final class ShadowScene {
         }
         boolean isSunny = random.nextInt(3) > 0;
         double yaw = random.nextInt(2) == 0 ? Math.PI / 2 * random.nextInt(4) + 0.05 : 7 * random.nextDouble();
-        Vec3 way = new Vec3(StrictMath.cos(yaw), 0.05 + 1.5 * random.nextDouble(), StrictMath.sin(yaw));
-        towardsSun = isSunny ? way : null;
+        Vec3 direction = new Vec3(StrictMath.cos(yaw), 0.05 + 1.5 * random.nextDouble(), StrictMath.sin(yaw));
+        towardsSun = isSunny ? direction : null;
         light = isSunny
                 ? null
                 : new Vec3(half * (random.nextDouble() - 0.3), 0.5 + random.nextDouble(), half * random.nextDouble());
         axis = isSunny || random.nextBoolean() ? null : new Vec3(-half - light.x(), -light.y(), -half / 2 - light.z());
     }
 
-    enum Shadows {
-        CAST,
-        LEFT_OUT
+    Level level() {
+        return level(true);
     }
 
-    Level level(Shadows shadows) {
-        boolean casts = shadows == Shadows.CAST;
+    Level levelWithoutShadows() {
+        return level(false);
+    }
+
+    private Level level(boolean casts) {
         Sun sun = towardsSun == null ? null : new Sun(towardsSun, ONE, casts);
         List<Light> lights = light == null ? List.of() : List.of(light(casts));
         return boxes.lit(sun, lights);
@@ -86,7 +90,7 @@ final class ShadowScene {
     }
 
     /** Returns the vector from a place to the light; a unit vector for the sun. */
-    Vec3 wayToLight(Vec3 place) {
+    Vec3 towardsLight(Vec3 place) {
         if (light == null) {
             double length = towardsSun.toVector().length();
             return new Vec3(towardsSun.x() / length, towardsSun.y() / length, towardsSun.z() / length);
@@ -94,7 +98,7 @@ final class ShadowScene {
         return light.minus(place);
     }
 
-    /** Returns the multiple of {@link #wayToLight} within which something may cast a shadow. */
+    /** Returns the multiple of {@link #towardsLight} within which something may cast a shadow. */
     double limit() {
         return light == null ? Double.POSITIVE_INFINITY : 1;
     }
@@ -102,13 +106,13 @@ final class ShadowScene {
     /** Returns the side in metres of the shadow map's texel at a place. */
     double texelMetres(Vec3 place) {
         if (axis != null) {
-            Vec3 way = wayToLight(place);
-            double depth = -way.dot(Directions.unit(axis));
+            Vec3 towards = towardsLight(place);
+            double depth = -towards.dot(Directions.unit(axis));
             return 2 * depth * Math.tan(Math.toRadians(OUTER_DEGREES)) / LightShadowLayers.MAX_SIDE_TEXELS;
         }
         if (light != null) {
-            Vec3 way = wayToLight(place);
-            double depth = Math.max(Math.abs(way.x()), Math.max(Math.abs(way.y()), Math.abs(way.z())));
+            Vec3 towards = towardsLight(place);
+            double depth = Math.max(Math.abs(towards.x()), Math.max(Math.abs(towards.y()), Math.abs(towards.z())));
             return 2 * depth / LightShadowLayers.MAX_SIDE_TEXELS;
         }
         return sunTexel;
@@ -116,15 +120,13 @@ final class ShadowScene {
 
     /** Returns true if the lit part of the face at a place may fall between the shadow map's texels. */
     boolean isTooNarrow(Vec3 place) {
-        Vec3 way = wayToLight(place);
-        double length = way.length();
-        var unit = new Vec3(way.x() / length, way.y() / length, way.z() / length);
+        Vec3 towards = towardsLight(place);
+        double length = towards.length();
+        var unit = new Vec3(towards.x() / length, towards.y() / length, towards.z() / length);
         List<Brush> brushes = boxes.brushes();
         return LitPart.at(brushes, place, unit, Math.min(length * limit(), 1e3))
                 .isNarrowerThan(Math.sqrt(2) * texelMetres(place));
     }
-
-    private double sunTexel;
 
     /** Fits the sun's shadow map as the engine does. */
     ShadowScene fitted(Quality quality) {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.choice.LevelRenderer;
+import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.ColourVision;
 import nephele.engine.render.Capture;
@@ -26,12 +27,11 @@ import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.ReplayInput;
-import nephele.workshop.prove.picture.LevelSigns.Sight;
 import nephele.workshop.prove.picture.LevelSigns.Sign;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
@@ -118,7 +118,7 @@ public final class StandingOutProof implements Proof {
         OpenedLevel opened = new LevelName(file).open();
         var sky = BakedSky.of(opened.placed(), done -> {});
         var scene = Scene.of(opened.placed(), sky);
-        var settings = RenderSettings.of(Outputs.defaultFor(opened.level()), Quality.MEDIUM)
+        var settings = RenderSettings.of(QualityChoice.defaultOutput(opened.level()), Quality.MEDIUM)
                 .with(CharacterPresence.POSSIBLE);
         LevelSigns signs = new LevelSigns(opened.placed());
         var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);
@@ -126,10 +126,10 @@ public final class StandingOutProof implements Proof {
                 var without = LevelRenderer.load(gl, bare, settings.with(Decoration.OFF))) {
             var drawn = new Drawing(file, opened, signs, with, without, picture, tally);
             for (Sign sign : signs.signs()) {
-                List<Sight> sights = signs.sights(sign);
-                for (int i = first; i < Math.min(end, sights.size()); i++) {
-                    drawn.look(sights.get(i), i, false);
-                    drawn.look(sights.get(i), i, true);
+                List<PlayerStart> viewers = signs.viewers(sign);
+                for (int i = first; i < Math.min(end, viewers.size()); i++) {
+                    drawn.look(sign, viewers.get(i), i, false);
+                    drawn.look(sign, viewers.get(i), i, true);
                 }
             }
         }
@@ -165,8 +165,8 @@ public final class StandingOutProof implements Proof {
             world = SimLevel.of(opened.placed());
         }
 
-        void look(Sight sight, int number, boolean fromBehind) throws Exception {
-            var beginning = new Playthrough.Beginning("seen.json", SimSettings.DEFAULT, sight.stand());
+        void look(Sign sign, PlayerStart viewer, int number, boolean fromBehind) throws Exception {
+            var beginning = new Playthrough.Beginning("seen.json", SimSettings.DEFAULT, viewer);
             var walk = new Playthrough(
                     opened.level(), world, beginning, new ReplayInput(Replay.standing("seen.json", TICKS)));
             walk.verticalFovDegrees(2 * Math.toDegrees(Math.atan(TAN_HALF_HEIGHT)));
@@ -176,34 +176,34 @@ public final class StandingOutProof implements Proof {
             for (int i = 0; i < TICKS; i++) {
                 walk.tick();
             }
-            Vec3 moved = walk.state().player().feet().minus(sight.stand().feet());
+            Vec3 moved = walk.state().player().feet().minus(viewer.feet());
             if (moved.length() > MOST_MOVED_METRES) {
                 return; // nobody can stand there
             }
             View view = walk.view((double) WIDTH / HEIGHT);
             FrameState state = walk.frameState();
             shoot(state);
-            Vec3 way = sight.sign().centre().minus(view.eye());
-            double depth = -view.alongBack(way.x(), way.y(), way.z());
+            Vec3 towards = sign.centre().minus(view.eye());
+            double depth = -view.alongBack(towards.x(), towards.y(), towards.z());
             double scale = PIXELS_PER_UNIT / depth;
-            BufferedImage shown = draw(with, view, state);
+            BufferedImage drawn = draw(with, view, state);
             double[] contrasts = contrast.of(
-                    shown,
+                    drawn,
                     draw(without, view, state),
-                    WIDTH / 2.0 + view.alongRight(way.x(), way.y(), way.z()) * scale,
-                    HEIGHT / 2.0 - view.alongUp(way.x(), way.y(), way.z()) * scale,
-                    (sight.sign().halfMetres() + BESIDE_METRES) * scale);
+                    WIDTH / 2.0 + view.alongRight(towards.x(), towards.y(), towards.z()) * scale,
+                    HEIGHT / 2.0 - view.alongUp(towards.x(), towards.y(), towards.z()) * scale,
+                    (sign.halfMetres() + BESIDE_METRES) * scale);
             String what = String.format(
                     Locale.ROOT,
                     "%s, %s, sight %d, %s person",
                     file,
-                    sight.sign().name(),
+                    sign.name(),
                     number,
                     fromBehind ? "third" : "first");
-            tally.add(what, way.length(), contrasts);
+            tally.add(what, towards.length(), contrasts);
             if (pictures != null) {
                 Files.createDirectories(pictures);
-                Capture.png(shown, pictures.resolve(what.replaceAll("[^A-Za-z0-9]+", "-") + ".png"));
+                Capture.png(drawn, pictures.resolve(what.replaceAll("[^A-Za-z0-9]+", "-") + ".png"));
             }
         }
 
@@ -221,12 +221,12 @@ public final class StandingOutProof implements Proof {
         }
     }
 
-    /** What was seen. */
+    /** The contrasts of the signs. */
     private static final class Tally {
         private final List<String> failures = new ArrayList<>();
         private final double[] least = new double[ColourVision.values().length];
         private final String[] where = new String[least.length];
-        private int seen;
+        private int visible;
         private int hidden;
         private int far;
 
@@ -239,7 +239,7 @@ public final class StandingOutProof implements Proof {
                 hidden++;
                 return;
             }
-            seen++;
+            visible++;
             far += metres > 18 ? 1 : 0;
             ColourVision worst = ColourVision.NORMAL;
             for (ColourVision vision : ColourVision.values()) {
@@ -263,7 +263,7 @@ public final class StandingOutProof implements Proof {
 
         ProofResult result(long units) {
             List<Figure> figures = new ArrayList<>(List.of(
-                    Figure.sum("signs seen", seen, ""),
+                    Figure.sum("signs seen", visible, ""),
                     Figure.sum("of them from 18 m or more", far, ""),
                     Figure.sum("signs hidden", hidden, "")));
             for (ColourVision vision : ColourVision.values()) {

@@ -44,29 +44,49 @@ public final class ClosedRoomProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        var findings = new Findings();
-        Tester tester = null;
+        var run = new Run();
         for (long unit = from; unit < from + count; unit++) {
-            long roomNumber = unit / STARTS_PER_ROOM;
-            if (tester == null || tester.roomNumber != roomNumber) {
-                tester = new Tester(roomNumber);
-            }
-            tester.test(unit, findings);
+            run.test(unit);
             progress.unitsDone(unit + 1 - from);
         }
-        return findings.result(count);
+        return run.result(count);
     }
 
-    /** The results so far. */
-    private static final class Findings {
+    /** The throws in one room after another, and their results. */
+    private static final class Run {
+        private final Depenetration depenetration = new Depenetration();
+        private final Vector3d place = new Vector3d();
+        private long roomNumber = -1;
+        private ClosedRoom room;
+        private Simulation simulation;
         private final List<String> escapes = new ArrayList<>();
         private long ticks;
         private long fastTicks;
         private double leastClearance = Double.POSITIVE_INFINITY;
         private double skinLost;
 
+        void test(long unit) {
+            if (roomNumber != unit / STARTS_PER_ROOM) {
+                roomNumber = unit / STARTS_PER_ROOM;
+                room = ClosedRoom.of(new SplittableRandom(roomNumber));
+                simulation = new Simulation(room.world(), FAR_AWAY, SimSettings.DEFAULT);
+            }
+            var random = new SplittableRandom(~unit);
+            SimState state = start(random);
+            double clearance = room.clearance(state.player());
+            for (int i = 0; i < THROWS_PER_START; i++) {
+                Vec3 velocity = velocity(random);
+                fastTicks += velocity.length() > 1000 ? 1 : 0;
+                state = new SimState(state.tick(), 0, 0, state.player().withVelocity(velocity));
+                for (int k = 0; k < TICKS_PER_THROW; k++) {
+                    state = simulation.step(state, input(random));
+                    look(unit, state, clearance);
+                }
+            }
+        }
+
         /** @param atStart clearance of the start, which may be less than the skin */
-        void look(long unit, ClosedRoom room, SimState state, double atStart) {
+        private void look(long unit, SimState state, double atStart) {
             double clearance = room.clearance(state.player());
             ticks++;
             leastClearance = Math.min(leastClearance, clearance);
@@ -85,36 +105,6 @@ public final class ClosedRoomProof implements Proof {
                     Figure.sum("throws above 1000 m/s", fastTicks, ""),
                     Figure.least("least distance from a wall", leastClearance * 1000, "mm"),
                     Figure.greatest("most of the 1 mm skin that was lost", skinLost * 1e6, "µm"));
-        }
-    }
-
-    /** One room and the throws in it. */
-    private static final class Tester {
-        private final long roomNumber;
-        private final ClosedRoom room;
-        private final Simulation simulation;
-        private final Depenetration depenetration = new Depenetration();
-        private final Vector3d place = new Vector3d();
-
-        Tester(long roomNumber) {
-            this.roomNumber = roomNumber;
-            room = ClosedRoom.of(new SplittableRandom(roomNumber));
-            simulation = new Simulation(room.world(), FAR_AWAY, SimSettings.DEFAULT);
-        }
-
-        void test(long unit, Findings findings) {
-            var random = new SplittableRandom(~unit);
-            SimState state = start(random);
-            double clearance = room.clearance(state.player());
-            for (int i = 0; i < THROWS_PER_START; i++) {
-                Vec3 velocity = velocity(random);
-                findings.fastTicks += velocity.length() > 1000 ? 1 : 0;
-                state = new SimState(state.tick(), 0, 0, state.player().withVelocity(velocity));
-                for (int k = 0; k < TICKS_PER_THROW; k++) {
-                    state = simulation.step(state, input(random));
-                    findings.look(unit, room, state, clearance);
-                }
-            }
         }
 
         /** Returns a random free place; the room's middle if no try is free. */

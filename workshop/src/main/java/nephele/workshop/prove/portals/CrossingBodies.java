@@ -11,6 +11,7 @@ import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyInfluences;
 import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.level.Body;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
@@ -23,32 +24,83 @@ final class CrossingBodies {
     /** A smaller depth in a solid counts as contact, because the solver allows a little penetration. */
     private static final double PRESSED_METRES = 0.01;
 
+    private static final double MIN_HALF_METRES = 0.1;
+    private static final double MAX_HALF_METRES = 0.4;
     private static final double SECONDS_BEFORE = 0.33;
     private static final double SECONDS_AFTER = 0.25;
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0);
 
-    private final PortalRoom.Place place;
+    private final PortalRoom room;
     private final SeamedClearance clearance;
     private final PortalWorld surroundings;
     private final BodyTable table;
     private final RigidStep step;
+    /** Points of the body's surface relative to its centre, before any rotation. */
     private final List<Vector3d> points;
+
     private final double seconds;
     private final BodyInfluences influences = BodyInfluences.none();
     private final Depenetration depenetration = new Depenetration();
     private final Vector3d centre = new Vector3d();
     private final Quaterniond orientation = new Quaterniond();
 
-    CrossingBodies(PortalRoom.Place place, int ticksPerSecond, long number) {
-        this.place = place;
-        clearance = new SeamedClearance(place);
-        surroundings = PortalWorld.of(place.world(), place.portals());
+    CrossingBodies(PortalRoom room, int ticksPerSecond, long number) {
+        this.room = room;
+        clearance = new SeamedClearance(room);
+        surroundings = PortalWorld.of(room.world(), room.portals());
         seconds = 1.0 / ticksPerSecond;
         var random = new SplittableRandom(~number);
-        ThrownBody thrown = ThrownBody.of(random);
-        table = new BodyTable(List.of(thrown.body()));
-        points = thrown.points();
+        double half = random.nextDouble(MIN_HALF_METRES, MAX_HALF_METRES);
+        Body body;
+        // One in four is a ball and one a capsule; two in three boxes are cubes.
+        switch (random.nextInt(4)) {
+            case 0 -> {
+                body = new Body.Sphere("ball", Vec3.ZERO, half, 10, null, 0.6, 0.4);
+                points = onBall(half);
+            }
+            case 1 -> {
+                double straight = random.nextDouble(0, 2 * MAX_HALF_METRES);
+                body = new Body.Capsule("capsule", Vec3.ZERO, half, straight + 2 * half, 10, null, 0.6, 0.2);
+                points = onCapsule(half, straight);
+            }
+            default -> {
+                double depth = random.nextInt(3) > 0 ? half : random.nextDouble(MIN_HALF_METRES, MAX_HALF_METRES);
+                body = new Body.Box("box", Vec3.ZERO, new Vec3(2 * half, 2 * half, 2 * depth), 10, null, 0.6, 0.2);
+                points = onBox(new Vec3(half, half, depth));
+            }
+        }
+        table = new BodyTable(List.of(body));
         step = new RigidStep(table, GRAVITY);
+    }
+
+    private static List<Vector3d> onBox(Vec3 half) {
+        List<Vector3d> points = new ArrayList<>();
+        for (int i = 0; i < 27; i++) {
+            if (i != 13) {
+                points.add(new Vector3d((i % 3 - 1) * half.x(), (i / 3 % 3 - 1) * half.y(), (i / 9 - 1) * half.z()));
+            }
+        }
+        return points;
+    }
+
+    private static List<Vector3d> onBall(double radius) {
+        List<Vector3d> points = onBox(new Vec3(1, 1, 1));
+        points.forEach(point -> point.normalize(radius));
+        return points;
+    }
+
+    /** @param straight metres between the centres of its caps */
+    private static List<Vector3d> onCapsule(double radius, double straight) {
+        List<Vector3d> points = new ArrayList<>();
+        for (Vector3d point : onBall(radius)) {
+            points.add(new Vector3d(point).add(0, straight / 2, 0));
+            points.add(new Vector3d(point).sub(0, straight / 2, 0));
+        }
+        return points;
+    }
+
+    Body body() {
+        return table.body(0);
     }
 
     /** Draws starts until the body goes through, and returns true if it did. */
@@ -103,7 +155,7 @@ final class CrossingBodies {
     }
 
     private boolean isInside(Bodies bodies) {
-        return place.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
+        return room.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
     }
 
     private String of(BodyState start) {
@@ -119,7 +171,7 @@ final class CrossingBodies {
     /** Returns a start in front of one of the portals, moving towards it; {@code null} if no draw is free. */
     private BodyState start(SplittableRandom random) {
         for (int i = 0; i < 20; i++) {
-            Portal entry = place.portals().portal(random.nextInt(2));
+            Portal entry = room.portals().portal(random.nextInt(2));
             Vec3 from = entry.world(
                     random.nextDouble(-0.5, 0.5), random.nextDouble(-0.9, 0.9), random.nextDouble(0.01, 0.8));
             Vec3 n = entry.normal();
@@ -132,7 +184,7 @@ final class CrossingBodies {
             Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : axis.scaled(10);
             orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
             BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
-            if (place.holds(from) && isFree(state)) {
+            if (room.holds(from) && isFree(state)) {
                 return state;
             }
         }

@@ -22,7 +22,7 @@ import org.joml.Vector3d;
 final class CrossingPlayers {
     private static final double SECONDS_AFTER = 0.25;
 
-    private final PortalRoom.Place place;
+    private final PortalRoom room;
     private final PortalWorld portalWorld;
     private final SeamedClearance clearance;
     private final Simulation simulation;
@@ -30,15 +30,15 @@ final class CrossingPlayers {
     private final int ticksAfter;
     private final Depenetration depenetration = new Depenetration();
 
-    CrossingPlayers(PortalRoom.Place place, int ticksPerSecond) {
-        this(place, new SimSettings(ticksPerSecond, List.of()));
+    CrossingPlayers(PortalRoom room, int ticksPerSecond) {
+        this(room, new SimSettings(ticksPerSecond, List.of()));
     }
 
-    CrossingPlayers(PortalRoom.Place place, SimSettings settings) {
-        this.place = place;
-        portalWorld = PortalWorld.of(place.world(), place.portals());
-        clearance = new SeamedClearance(place);
-        SimLevel level = SimLevel.of(place.world(), new PlayerStart(place.origin(), 0, 0), place.portals());
+    CrossingPlayers(PortalRoom room, SimSettings settings) {
+        this.room = room;
+        portalWorld = PortalWorld.of(room.world(), room.portals());
+        clearance = new SeamedClearance(room);
+        SimLevel level = SimLevel.of(room.world(), new PlayerStart(room.origin(), 0, 0), room.portals());
         mostTicks = settings.ticksPerSecond() / 3;
         ticksAfter = (int) Math.ceil(SECONDS_AFTER * settings.ticksPerSecond());
         simulation = new Simulation(level, settings);
@@ -101,7 +101,7 @@ final class CrossingPlayers {
     }
 
     private boolean check(String where, PlayerState player, CrossingTally tally) {
-        if (!place.holds(player.centre())) {
+        if (!room.holds(player.centre())) {
             tally.escaped(where + ": out of the room: " + player);
             return false;
         }
@@ -116,16 +116,16 @@ final class CrossingPlayers {
     /** Returns a start in front of one of the portals, moving towards it; {@code null} if no draw is free. */
     private PlayerState start(SplittableRandom random) {
         for (int i = 0; i < 20; i++) {
-            Portal entry = place.portals().portal(random.nextInt(2));
+            Portal entry = room.portals().portal(random.nextInt(2));
             double x = random.nextDouble(-0.7, 0.7);
             double y = random.nextDouble(-1.1, 1.1);
             double inFront = random.nextDouble(0.01, 0.8);
             Vec3 centre = entry.world(x, y, inFront);
             double sill = entry.centre().y()
                     - entry.aperture().heightMetres() / 2
-                    - place.origin().y();
+                    - room.origin().y();
             if (entry.normal().y() == 0 && sill < 0.3 && random.nextInt(4) > 0) {
-                centre = new Vec3(centre.x(), place.origin().y() + Stance.STANDING.centreAboveFeet(), centre.z());
+                centre = new Vec3(centre.x(), room.origin().y() + Stance.STANDING.centreAboveFeet(), centre.z());
             }
             Stance stance = random.nextInt(5) == 0 ? Stance.CROUCHED : Stance.STANDING;
             Vec3 feet = new Vec3(centre.x(), centre.y() - stance.centreAboveFeet(), centre.z());
@@ -133,7 +133,7 @@ final class CrossingPlayers {
             long active = portalWorld.active(stance.shape(), at, new Vector3d());
             PlayerState player = heading(random, entry, feet, stance);
             if (depenetration.isFree(portalWorld.openedFor(active), stance.shape(), at)
-                    && place.holds(centre)
+                    && room.holds(centre)
                     && clearance.depth(player) == 0) {
                 return player;
             }

@@ -35,10 +35,10 @@ public final class CrossingsProof implements Proof {
         for (long unit = from; unit < from + count; unit++) {
             if (number != unit / CROSSINGS_PER_ROOM) {
                 number = unit / CROSSINGS_PER_ROOM;
-                PortalRoom.Place place = PortalRoom.of(new SplittableRandom(number));
+                PortalRoom room = PortalRoom.of(new SplittableRandom(number));
                 int rate = RATES[(int) (number % RATES.length)];
-                players = new CrossingPlayers(place, rate);
-                bodies = new CrossingBodies(place, rate, number);
+                players = new CrossingPlayers(room, rate);
+                bodies = new CrossingBodies(room, rate, number);
             }
             var random = new SplittableRandom(unit ^ 0x5DEECE66DL);
             String where = "crossing " + unit + " in room " + number;

@@ -40,24 +40,16 @@ public final class DoorwayRooms {
     private static final double BEHIND_DOOR = -1.2;
     private static final double CUBE = 0.5;
 
+    /** A place of the cube on the floor, out of the way. */
+    static final Vec3 CUBE_ASIDE = new Vec3(-1.6, CUBE / 2, -1);
+
+    /** A place of the cube in front of the eye, to be carried. */
+    static final Vec3 CUBE_AHEAD = new Vec3(BESIDE_LINE, 1.5, BEHIND_DOOR - 1.2);
+
     /** The connection from one room to the next. */
     public enum Doors {
         OPEN,
         PORTALS
-    }
-
-    /** The initial place of the cube. */
-    public enum Cube {
-        /** On the floor, out of the way. */
-        ASIDE(new Vec3(-1.6, CUBE / 2, -1)),
-        /** In front of the eye, to be carried. */
-        IN_SIGHT(new Vec3(BESIDE_LINE, 1.5, BEHIND_DOOR - 1.2));
-
-        private final Vec3 centre;
-
-        Cube(Vec3 centre) {
-            this.centre = centre;
-        }
     }
 
     private final int doors;
@@ -75,16 +67,16 @@ public final class DoorwayRooms {
 
     /** Returns a level of {@code doors} + 1 rooms; the player starts in the first one, looking at its door. */
     public static Level level(int doors, Doors kind) {
-        return level(doors, kind, Cube.ASIDE);
+        return level(doors, kind, CUBE_ASIDE);
     }
 
     /** Returns the same level with the cube in another place. */
-    public static Level level(int doors, Doors kind, Cube cubePlace) {
+    static Level level(int doors, Doors kind, Vec3 cubeCentre) {
         var rooms = new DoorwayRooms(doors, kind);
         var environment =
                 new Environment(null, null, new Vec3(1, 1, 1), Exposure.NEUTRAL, ToneCurve.CLIP, null, List.of());
         var size = new Vec3(CUBE, CUBE, CUBE);
-        var cube = new Body.Box("cube", cubePlace.centre, size, 5, "paint-7", 0.6, 0);
+        var cube = new Body.Box("cube", cubeCentre, size, 5, "paint-7", 0.6, 0);
         return Level.of("doorways", "", environment, List.of())
                 .with(new PlayerStart(new Vec3(BESIDE_LINE, 0, BEHIND_DOOR), 0, 0), null)
                 .with(paints(), List.copyOf(rooms.solids), List.of(cube))

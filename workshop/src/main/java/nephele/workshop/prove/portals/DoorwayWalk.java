@@ -3,6 +3,7 @@ package nephele.workshop.prove.portals;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.Renderer;
@@ -15,7 +16,6 @@ import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.TickInput;
-import nephele.workshop.prove.portals.DoorwayRooms.Cube;
 import nephele.workshop.prove.portals.DoorwayRooms.Doors;
 import nephele.workshop.prove.portals.FrameSteps.Step;
 
@@ -42,7 +42,7 @@ final class DoorwayWalk implements AutoCloseable {
 
     DoorwayWalk(GlContext gl, RenderTarget picture, Doors doors, int count, Manner manner) {
         this.picture = picture;
-        Cube cube = manner == Manner.HELD_CUBE ? Cube.IN_SIGHT : Cube.ASIDE;
+        Vec3 cube = manner == Manner.HELD_CUBE ? DoorwayRooms.CUBE_AHEAD : DoorwayRooms.CUBE_ASIDE;
         Level level = DoorwayRooms.level(count, doors, cube);
         var settings = RenderSettings.of(
                         Output.DIRECT, Quality.HIGH.with("shadowTexels", 1024).with("viewBudget", 6))

@@ -32,29 +32,13 @@ final class PortalRoom {
     private final SplittableRandom random;
     private final Vec3 origin;
     private final List<Collider> solids = new ArrayList<>();
+    private final CollisionWorld world;
+    private final Portals portals;
 
     private PortalRoom(SplittableRandom random) {
         this.random = random;
         double out = random.nextInt(4) == 0 ? 10_000 : 0;
         origin = new Vec3(out, out / 8, -out);
-    }
-
-    /** The solids and portals of a room. */
-    record Place(CollisionWorld world, Portals portals, Vec3 origin) {
-        /** Returns true if a point is within the room's walls or on one, as in a portal. */
-        boolean holds(Vec3 p) {
-            return Math.abs(p.x() - origin.x()) < HALF + ROUNDING_METRES
-                    && Math.abs(p.z() - origin.z()) < HALF + ROUNDING_METRES
-                    && p.y() > origin.y() - ROUNDING_METRES
-                    && p.y() < origin.y() + HIGH + ROUNDING_METRES;
-        }
-    }
-
-    static Place of(SplittableRandom random) {
-        return new PortalRoom(random).build();
-    }
-
-    private Place build() {
         double thick = StrictMath.pow(10, -1.7 + 1.7 * random.nextDouble());
         slab(-HALF - thick, -thick, -HALF - thick, HALF + thick, 0, HALF + thick);
         slab(-HALF - thick, HIGH, -HALF - thick, HALF + thick, HIGH + thick, HALF + thick);
@@ -66,7 +50,33 @@ final class PortalRoom {
         Aperture aperture = Aperture.of(SHAPES[random.nextInt(SHAPES.length)], 1.2, 2.1);
         List<Portal> ends = ends(aperture, ramp);
         furniture(ends);
-        return new Place(new CollisionWorld(solids), new Portals(ends, List.of(1, 0)), origin);
+        world = new CollisionWorld(solids);
+        portals = new Portals(ends, List.of(1, 0));
+    }
+
+    static PortalRoom of(SplittableRandom random) {
+        return new PortalRoom(random);
+    }
+
+    CollisionWorld world() {
+        return world;
+    }
+
+    Portals portals() {
+        return portals;
+    }
+
+    /** Returns the middle of the floor. */
+    Vec3 origin() {
+        return origin;
+    }
+
+    /** Returns true if a point is within the room's walls or on one, as in a portal. */
+    boolean holds(Vec3 p) {
+        return Math.abs(p.x() - origin.x()) < HALF + ROUNDING_METRES
+                && Math.abs(p.z() - origin.z()) < HALF + ROUNDING_METRES
+                && p.y() > origin.y() - ROUNDING_METRES
+                && p.y() < origin.y() + HIGH + ROUNDING_METRES;
     }
 
     private void slab(double x0, double y0, double z0, double x1, double y1, double z1) {

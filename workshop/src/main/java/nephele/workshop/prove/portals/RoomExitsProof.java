@@ -60,9 +60,9 @@ public final class RoomExitsProof implements Proof {
         for (long unit = from; unit < from + count; unit++) {
             if (number != unit / EXITS_PER_ROOM) {
                 number = unit / EXITS_PER_ROOM;
-                PortalRoom.Place place = PortalRoom.of(new SplittableRandom(number));
+                PortalRoom room = PortalRoom.of(new SplittableRandom(number));
                 int rate = RATES[(int) (number % RATES.length)];
-                players = new CrossingPlayers(place, new SimSettings(rate, Assist.USUAL));
+                players = new CrossingPlayers(room, new SimSettings(rate, Assist.USUAL));
             }
             exit(players, RATES[(int) (number % RATES.length)], unit, tally);
             progress.unitsDone(unit + 1 - from);
@@ -119,9 +119,9 @@ public final class RoomExitsProof implements Proof {
             SimState state = players.step(rest, PlayerInput.NONE.turning(i * 360_000 / DIRECTIONS, 0));
             for (int tick = 0; tick < WALK_SECONDS * rate; tick++) {
                 state = players.step(state, PlayerInput.FORWARD);
-                Vec3 way = state.player().feet().minus(rest.player().feet());
+                Vec3 walked = state.player().feet().minus(rest.player().feet());
                 if (state.world().trace().playerCrossed().length() > 0
-                        || way.x() * way.x() + way.z() * way.z() > AWAY_METRES * AWAY_METRES) {
+                        || walked.x() * walked.x() + walked.z() * walked.z() > AWAY_METRES * AWAY_METRES) {
                     return true;
                 }
             }

@@ -14,7 +14,7 @@ import org.joml.Vector3d;
 
 /**
  * Decides whether a player or body near portals is in a solid, without the static world opened at the portals. Straight
- * paths lead from its centre to points of its surface, through any aperture on them; at the end of each and half-way
+ * paths lead from its centre to points of its surface, through any aperture on them; at the end of each and half-offset
  * nothing may be solid.
  */
 final class SeamedClearance {
@@ -28,11 +28,11 @@ final class SeamedClearance {
 
     private final CollisionWorld world;
     private final PathTrace trace;
-    private final Vector3d way = new Vector3d();
+    private final Vector3d path = new Vector3d();
 
-    SeamedClearance(PortalRoom.Place place) {
-        world = place.world();
-        trace = new PathTrace(place.portals(), Obstacles.NONE);
+    SeamedClearance(PortalRoom room) {
+        world = room.world();
+        trace = new PathTrace(room.portals(), Obstacles.NONE);
     }
 
     /** Returns the depth in metres of the deepest point in a solid; 0 for none. */
@@ -69,8 +69,8 @@ final class SeamedClearance {
         double deepest = 0;
         for (double fraction : new double[] {0.5, 1}) {
             double length = fraction * metres;
-            way.set(direction.x() * length, direction.y() * length, direction.z() * length);
-            trace.trace(centre, way);
+            path.set(direction.x() * length, direction.y() * length, direction.z() * length);
+            trace.trace(centre, path);
             deepest = Math.max(
                     deepest,
                     depthInSolids(

@@ -53,9 +53,6 @@ final class WalkInPlace {
     private final CollisionWorld statics;
     private final Depenetration depenetration = new Depenetration();
 
-    /** A place to shoot from, with the view along the shot. */
-    record Shot(PlayerState player) {}
-
     WalkInPlace(String name, PlacedLevel placed) {
         this.name = name;
         brushes = new ArrayList<>(placed.statics().solids());
@@ -69,7 +66,7 @@ final class WalkInPlace {
         }
         statics = CollisionWorld.of(placed.statics());
         world = PortalWorld.of(statics);
-        Level said = placed.level();
+        Level authored = placed.level();
         cubeAway = new Vec3(0, (statics.size() == 0 ? 0 : statics.extent().maxY()) + AWAY_METRES, 0);
         List<Body> bodies = new ArrayList<>();
         bodies.add(new Body.Box(
@@ -80,8 +77,8 @@ final class WalkInPlace {
                 null,
                 0.6,
                 0));
-        Level with = said.with(said.materials(), said.solids(), bodies)
-                .with(said.player(), said.portalGun() == null ? WalkInRooms.GUN : said.portalGun())
+        Level with = authored.with(authored.materials(), authored.solids(), bodies)
+                .with(authored.player(), authored.portalGun() == null ? WalkInRooms.GUN : authored.portalGun())
                 .withPortals(List.of());
         level = SimLevel.of(placed.edited(with));
     }
@@ -91,8 +88,11 @@ final class WalkInPlace {
         return !walls.isEmpty();
     }
 
-    /** Returns a horizontal shot at eye height at a wall that takes portals to the floor; {@code null} if a draw fails. */
-    Shot shot(SplittableRandom random) {
+    /**
+     * Returns a player who looks horizontally at a wall that takes portals to the floor, to shoot; {@code null} if a draw
+     * fails.
+     */
+    PlayerState shooter(SplittableRandom random) {
         Brush.BrushFace face = walls.get(random.nextInt(walls.size()));
         Vec3 normal = face.plane().normal();
         Vec3 on = between(face.polygon(), random);
@@ -105,18 +105,18 @@ final class WalkInPlace {
             return null;
         }
         Stance stance = random.nextInt(5) == 0 ? Stance.CROUCHED : Stance.STANDING;
-        Vec3 way = turned(normal, angle).negated();
+        Vec3 direction = turned(normal, angle).negated();
         Vec3 eye = new Vec3(feet.x(), feet.y() + stance.eyeMetres(), feet.z());
-        double metres = distance(eye, way, 3 * FARTHEST_METRES);
+        double metres = distance(eye, direction, 3 * FARTHEST_METRES);
         if (Double.isNaN(metres)) {
             return null;
         }
-        Vec3 hit = eye.addScaled(metres, way);
-        Brush.BrushFace wall = wallAt(hit, way);
+        Vec3 hit = eye.addScaled(metres, direction);
+        Brush.BrushFace wall = wallAt(hit, direction);
         if (wall == null || !takesPortalsToFloor(hit, wall.plane().normal(), feet.y())) {
             return null;
         }
-        return new Shot(new PlayerState(feet, Vec3.ZERO, heading(way), stance.eyeMetres(), stance, null, false));
+        return new PlayerState(feet, Vec3.ZERO, heading(direction), stance.eyeMetres(), stance, null, false);
     }
 
     private static Vec3 between(List<Vec3> polygon, SplittableRandom random) {
@@ -130,15 +130,15 @@ final class WalkInPlace {
         return new Vec3(sum.x() / all, sum.y() / all, sum.z() / all);
     }
 
-    static ViewAngles heading(Vec3 way) {
-        return ViewAngles.ofDegrees(Math.toDegrees(StrictMath.atan2(-way.x(), -way.z())), 0);
+    static ViewAngles heading(Vec3 direction) {
+        return ViewAngles.ofDegrees(Math.toDegrees(StrictMath.atan2(-direction.x(), -direction.z())), 0);
     }
 
     /** Returns a direction turned about the vertical. */
-    static Vec3 turned(Vec3 way, double radians) {
+    static Vec3 turned(Vec3 v, double radians) {
         double cos = StrictMath.cos(radians);
         double sin = StrictMath.sin(radians);
-        return new Vec3(cos * way.x() + sin * way.z(), way.y(), cos * way.z() - sin * way.x());
+        return new Vec3(cos * v.x() + sin * v.z(), v.y(), cos * v.z() - sin * v.x());
     }
 
     /** Returns true if the wall under a point takes portals from the floor to a portal's height, and one can stand there. */
@@ -178,17 +178,17 @@ final class WalkInPlace {
      * something is in the way.
      */
     PlayerState before(Portal portal, double metres, double angleRadians) {
-        Vec3 way = turned(portal.normal(), angleRadians);
-        Vec3 from = portal.centre().addScaled(metres, way);
+        Vec3 away = turned(portal.normal(), angleRadians);
+        Vec3 from = portal.centre().addScaled(metres, away);
         double ground = groundY(from, FARTHEST_METRES);
         double last = AT_WALL_METRES / StrictMath.cos(angleRadians);
         Vec3 feet = new Vec3(from.x(), ground, from.z());
-        Vec3 end = portal.centre().addScaled(Math.min(metres, last), way);
+        Vec3 end = portal.centre().addScaled(Math.min(metres, last), away);
         double there = groundY(portal.world(0, 0, AT_WALL_METRES), FARTHEST_METRES);
         if (Double.isNaN(ground) || !(Math.abs(groundAfter(feet, end) - there) <= PATH_RISE_METRES)) {
             return null;
         }
-        return PlayerState.standing(feet, heading(way.negated()));
+        return PlayerState.standing(feet, heading(away.negated()));
     }
 
     /**
@@ -228,16 +228,16 @@ final class WalkInPlace {
         return Double.isNaN(metres) ? Double.NaN : from.y() - metres;
     }
 
-    private double distance(Vec3 from, Vec3 way, double most) {
-        double fraction = world.free(from.toVector(), way.toVector().mul(most));
+    private double distance(Vec3 from, Vec3 direction, double most) {
+        double fraction = world.free(from.toVector(), direction.toVector().mul(most));
         return fraction < 1 ? fraction * most : Double.NaN;
     }
 
     /** Returns the upright face on which portals may be that a ray has hit; {@code null} for anything else. */
-    private Brush.BrushFace wallAt(Vec3 hit, Vec3 way) {
+    private Brush.BrushFace wallAt(Vec3 hit, Vec3 direction) {
         for (Brush.BrushFace face : walls) {
             if (Math.abs(face.plane().signedDistance(hit)) < ON_FACE_METRES
-                    && face.plane().normal().dot(way) < 0
+                    && face.plane().normal().dot(direction) < 0
                     && isWithin(face, hit)) {
                 return face;
             }

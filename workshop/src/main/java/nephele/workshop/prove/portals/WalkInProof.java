@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import nephele.engine.collision.rigid.body.BodyState;
@@ -49,7 +50,7 @@ public final class WalkInProof implements Proof {
     private static final double STEEPEST_DEGREES = 70;
     private static final int BIN_DEGREES = 10;
 
-    /** Longest time for a walk beyond that of its way at half of the speed. */
+    /** Longest time for a walk beyond that of its path at half of the speed. */
     private static final double MORE_SECONDS = 1.5;
 
     private static final double AFTER_SECONDS = 0.25;
@@ -60,7 +61,7 @@ public final class WalkInProof implements Proof {
     /** How far down a player looks at a cube to pick it up. */
     private static final int LOOK_MILLIDEGREES = 62_000;
 
-    /** Way that a player with a cube may walk besides. */
+    /** Path that a player with a cube may walk besides. */
     private static final double MORE_METRES = 12;
 
     private static final double HITS_METRES = 1e-3;
@@ -78,14 +79,14 @@ public final class WalkInProof implements Proof {
     private static final String THROUGH = " through";
     private static final String DEGREES = " degrees";
 
-    /** The ways to walk at a portal. */
+    /** How a player walks at a portal. */
     private enum Walk {
         BARE("walks", 0.995),
         PUSHING("walks that push", 0.99),
         CARRYING("walks that carry", 0.99);
 
         private final String figure;
-        /** Share that has to go through. */
+        /** The fraction that has to go through. */
         private final double least;
 
         Walk(String figure, double least) {
@@ -123,7 +124,7 @@ public final class WalkInProof implements Proof {
         return range.result(count);
     }
 
-    /** Shows shares in place of sums of what went through, and fails where they are too small. */
+    /** Gives fractions in place of sums of what went through, and fails where they are too small. */
     @Override
     public ProofResult judged(ProofResult soFar) {
         List<Figure> figures = new ArrayList<>();
@@ -149,13 +150,9 @@ public final class WalkInProof implements Proof {
         return new ProofResult(soFar.units(), failed, figures, failures);
     }
 
-    /** A place to shoot in, read when its turn comes. */
-    private interface PlaceSource {
-        WalkInPlace place() throws LevelFormatException;
-    }
-
-    private static List<PlaceSource> places() throws IOException {
-        List<PlaceSource> places = new ArrayList<>();
+    /** Returns the places to shoot in, each of which is read when its turn comes. */
+    private static List<Callable<WalkInPlace>> places() throws IOException {
+        List<Callable<WalkInPlace>> places = new ArrayList<>();
         for (int i = 0; i < ROOMS; i++) {
             int number = i;
             places.add(() -> new WalkInPlace("room " + number, WalkInRooms.of(number)));
@@ -177,13 +174,13 @@ public final class WalkInProof implements Proof {
 
     /** A range of units and what was counted in it. */
     private static final class Range {
-        private final List<PlaceSource> sources;
+        private final List<Callable<WalkInPlace>> sources;
         private final Progress progress;
         private final Map<Integer, Site> sites = new HashMap<>();
         private final Map<String, Double> sums = new LinkedHashMap<>();
         private final List<String> examples = new ArrayList<>();
 
-        Range(List<PlaceSource> sources, Progress progress) {
+        Range(List<Callable<WalkInPlace>> sources, Progress progress) {
             this.sources = sources;
             this.progress = progress;
             // In the order in which they are shown.
@@ -217,7 +214,7 @@ public final class WalkInProof implements Proof {
         }
 
         /** Walks once, in the first place from the unit's own on where shots can be drawn. */
-        void walk(long unit) throws LevelFormatException {
+        void walk(long unit) throws Exception {
             SplittableRandom random = new SplittableRandom(unit ^ 0x5DEECE66DL);
             int first = (int) (unit / SHOTS_PER_PLACE % sources.size());
             for (int i = 0; i < sources.size(); i++) {
@@ -231,9 +228,9 @@ public final class WalkInProof implements Proof {
             throw new IllegalStateException("no place has walls to shoot at");
         }
 
-        private Site site(int at) throws LevelFormatException {
+        private Site site(int at) throws Exception {
             if (!sites.containsKey(at)) {
-                WalkInPlace place = sources.get(at).place();
+                WalkInPlace place = sources.get(at).call();
                 sites.put(at, place.hasWalls() ? new Site(place) : null);
             }
             return sites.get(at);
@@ -242,8 +239,8 @@ public final class WalkInProof implements Proof {
         /** Returns false if the place has no two walls to shoot at. */
         private boolean walk(long unit, Site site, SplittableRandom random) {
             for (int attempt = 0; attempt < MOST_WALKS; attempt++) {
-                WalkInPlace.Shot one = site.draw(random);
-                WalkInPlace.Shot two = one == null ? null : site.draw(random);
+                PlayerState one = site.draw(random);
+                PlayerState two = one == null ? null : site.draw(random);
                 if (two == null) {
                     return false;
                 }
@@ -262,13 +259,13 @@ public final class WalkInProof implements Proof {
         }
 
         /** Returns the state after both shots, {@code null} if one is refused or has no free ground. */
-        private SimState shot(Site site, Simulation simulation, WalkInPlace.Shot one, WalkInPlace.Shot two) {
+        private SimState shot(Site site, Simulation simulation, PlayerState one, PlayerState two) {
             SimState state = simulation.start();
             for (GunPortals.Colour colour : GunPortals.Colour.BOTH) {
                 boolean first = colour == GunPortals.Colour.FIRST;
                 SimState fired = Site.fired(
                         simulation,
-                        state.withPlayer((first ? one : two).player()),
+                        state.withPlayer(first ? one : two),
                         first ? Action.FIRE_FIRST : Action.FIRE_SECOND);
                 if (simulation == site.aided && !hitsOtherPortal(fired)) {
                     count(fired);
@@ -323,45 +320,47 @@ public final class WalkInProof implements Proof {
             if (start == null) {
                 return false;
             }
-            Trial trial = new Trial(unit, site, metres, angle, portal);
-            count(Walk.BARE, trial, site.goesThrough(site.aided, state.withPlayer(start), metres));
+            String where = String.format(
+                    Locale.ROOT,
+                    "%d in %s: not through from %.2f m at %.1f degrees: %s, %s",
+                    unit,
+                    site.place.name,
+                    metres,
+                    angle,
+                    portal.centre(),
+                    portal.normal());
+            count(Walk.BARE, angle, where, site.goesThrough(site.aided, state.withPlayer(start), metres));
             if (metres > CUBE_AHEAD_METRES + WalkInPlace.CUBE_METRES) {
-                Vec3 way = WalkInPlace.turned(portal.normal(), Math.toRadians(angle))
+                Vec3 ahead = WalkInPlace.turned(portal.normal(), Math.toRadians(angle))
                         .negated();
-                SimState withCube = site.withCube(state.withPlayer(start), start.feet(), way);
-                count(Walk.PUSHING, trial, site.pushesThrough(withCube, metres));
+                SimState withCube = site.withCube(state.withPlayer(start), start.feet(), ahead);
+                count(Walk.PUSHING, angle, where, site.pushesThrough(withCube, metres));
                 SimState holding = site.carrying(withCube);
                 if (holding != null) {
-                    count(Walk.CARRYING, trial, site.goesThrough(site.aided, holding, metres + FARTHEST_METRES));
+                    count(Walk.CARRYING, angle, where, site.goesThrough(site.aided, holding, metres + FARTHEST_METRES));
                     add(HOLDING, site.stillHolds ? 1 : 0);
                 }
             }
             return true;
         }
 
-        /** A walk of a unit: from how far and from which angle to the portal's normal, in degrees. */
-        private record Trial(long unit, Site site, double metres, double angle, Portal portal) {}
-
-        private void count(Walk walk, Trial trial, boolean through) {
+        /**
+         * Counts a walk.
+         *
+         * @param angle from which it comes to the portal's normal, in degrees
+         * @param where describes a walk that did not go through
+         */
+        private void count(Walk walk, double angle, String where, boolean through) {
             add(walk.figure, through);
-            add(walk.at(trial.angle()), through);
+            add(walk.at(angle), through);
             if (!through) {
-                String example = String.format(
-                        Locale.ROOT,
-                        "%s %d in %s: not through from %.2f m at %.1f degrees: %s, %s",
-                        walk.figure,
-                        trial.unit(),
-                        trial.site().place.name,
-                        trial.metres(),
-                        trial.angle(),
-                        trial.portal().centre(),
-                        trial.portal().normal());
+                String example = walk.figure + " " + where;
                 progress.failed(example);
                 examples.add(example);
             }
         }
 
-        private void plain(Site site, WalkInPlace.Shot one, WalkInPlace.Shot two, double metres, double angle) {
+        private void plain(Site site, PlayerState one, PlayerState two, double metres, double angle) {
             SimState state = shot(site, site.plain, one, two);
             PlayerState start = state == null
                     ? null
@@ -385,11 +384,11 @@ public final class WalkInProof implements Proof {
             plain = new Simulation(place.level, new SimSettings(TICKS_PER_SECOND, List.of()));
         }
 
-        WalkInPlace.Shot draw(SplittableRandom random) {
+        PlayerState draw(SplittableRandom random) {
             for (int i = 0; i < MOST_DRAWS; i++) {
-                WalkInPlace.Shot shot = place.shot(random);
-                if (shot != null) {
-                    return shot;
+                PlayerState shooter = place.shooter(random);
+                if (shooter != null) {
+                    return shooter;
                 }
             }
             return null;
@@ -400,8 +399,8 @@ public final class WalkInProof implements Proof {
         }
 
         /** Returns a state with the cube on the ground before the player. */
-        SimState withCube(SimState state, Vec3 feet, Vec3 way) {
-            Vec3 centre = feet.addScaled(CUBE_AHEAD_METRES, way)
+        SimState withCube(SimState state, Vec3 feet, Vec3 ahead) {
+            Vec3 centre = feet.addScaled(CUBE_AHEAD_METRES, ahead)
                     .addScaled(WalkInPlace.CUBE_METRES / 2 + 0.01, new Vec3(0, 1, 0));
             return state.with(state.world().with(state.world().bodies().with(0, BodyState.resting(centre))));
         }
@@ -475,8 +474,8 @@ public final class WalkInProof implements Proof {
                 stuck = 0;
                 back = BACK_TICKS;
             }
-            Vec3 way = portal.world(0, 0, -BEHIND_METRES).minus(feet);
-            double turn = state.player().heading().yawRadiansTo(WalkInPlace.heading(way));
+            Vec3 towards = portal.world(0, 0, -BEHIND_METRES).minus(feet);
+            double turn = state.player().heading().yawRadiansTo(WalkInPlace.heading(towards));
             return PlayerInput.FORWARD.turning((int) Math.round(1000 * Math.toDegrees(turn)), 0);
         }
     }

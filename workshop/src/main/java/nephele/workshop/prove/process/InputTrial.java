@@ -34,12 +34,12 @@ import nephele.engine.sim.state.PlayerInput.Action;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
-import nephele.host.draw.Outputs;
+import nephele.host.draw.QualityChoice;
 import nephele.host.named.Viewpoints;
 
 /**
- * One odd level: it is refused with the place of what is wrong, or it is saved and read back equal, explained, simulated
- * and drawn.
+ * Uses odd levels: each is refused with the place of what is wrong, or it is saved and read back equal, explained,
+ * simulated and drawn.
  */
 final class InputTrial {
     /** What became of a level. */
@@ -48,13 +48,6 @@ final class InputTrial {
         ACCEPTED,
         DRAWN
     }
-
-    /**
-     * The end of a trial.
-     *
-     * @param fault what went wrong, in words
-     */
-    record Ended(Outcome outcome, Optional<String> fault) {}
 
     /** A broken promise of the program. */
     private static final class Fault extends Exception {
@@ -80,35 +73,46 @@ final class InputTrial {
     private static final Pattern JAVA = Pattern.compile("Exception|\\b[A-Z]\\w+\\[\\w+=|\\bnull\\b|@[0-9a-f]{5,}");
 
     private final Path file;
+    private Outcome outcome = Outcome.REFUSED;
 
     /** @param folder with the pictures of {@link InputLevels}; a level is written into it */
     InputTrial(Path folder) {
         file = folder.resolve("level.json");
     }
 
-    /** @param gl {@code null} for a level that is not drawn */
-    Ended run(InputLevels.OddInput input, GlContext gl) {
-        Outcome outcome = Outcome.REFUSED;
+    /** Returns what became of the last level. */
+    Outcome outcome() {
+        return outcome;
+    }
+
+    /**
+     * Uses a level and returns what went wrong, in words.
+     *
+     * @param gl {@code null} for a level that is not drawn
+     */
+    Optional<String> run(InputLevels.OddInput input, GlContext gl) {
+        outcome = Outcome.REFUSED;
         try {
             Level level = checked(input);
             if (level == null) {
-                return new Ended(outcome, Optional.empty());
+                return Optional.empty();
             }
             outcome = Outcome.ACCEPTED;
             saved(level);
             PlacedLevel placed = PlacedLevel.of(level, LevelAssets.beside(file));
-            FramePlan.of(FrameRequest.of(placed, Outputs.defaultFor(level))).explain();
+            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
+                    .explain();
             simulated(placed);
             if (gl != null) {
                 CloudExplanation.lines(placed);
                 drawn(placed, input.seconds(), gl);
                 outcome = Outcome.DRAWN;
             }
-            return new Ended(outcome, Optional.empty());
+            return Optional.empty();
         } catch (Fault fault) {
-            return new Ended(outcome, Optional.of(fault.getMessage()));
+            return Optional.of(fault.getMessage());
         } catch (Exception | StackOverflowError | OutOfMemoryError crash) {
-            return new Ended(outcome, Optional.of(reported(crash)));
+            return Optional.of(reported(crash));
         }
     }
 
@@ -187,7 +191,7 @@ final class InputTrial {
             state.seconds(seconds);
             double aspect = (double) WIDTH / HEIGHT;
             renderer.draw(
-                    Viewpoints.standard(placed.level(), file.toString(), aspect).view(0), state, target);
+                    Viewpoints.standard(placed.level(), file.toString(), aspect).apply(0), state, target);
             gl.requireNoError("draw");
             float[] radiance = renderer.readRadiance();
             for (int i = 0; i < radiance.length; i++) {

@@ -8,12 +8,12 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.LongPredicate;
 import java.util.stream.LongStream;
 import nephele.engine.render.gl.GlContext;
-import nephele.workshop.prove.process.InputTrial.Ended;
 import nephele.workshop.prove.process.InputTrial.Outcome;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
@@ -69,11 +69,11 @@ public final class InputsProof implements Proof {
                 String name = "level " + unit + ", " + input.reported();
                 double before = cpuSeconds();
                 Thread watch = watch(name, before, progress);
-                Ended ended = trial.run(input, drawn.test(unit) ? gl : null);
+                Optional<String> fault = trial.run(input, drawn.test(unit) ? gl : null);
                 watch.interrupt();
                 double seconds = cpuSeconds() - before;
-                outcomes.merge(ended.outcome(), 1, Integer::sum);
-                ended.fault().ifPresent(fault -> add(name + ": " + fault, failures, progress));
+                outcomes.merge(trial.outcome(), 1, Integer::sum);
+                fault.ifPresent(text -> add(name + ": " + text, failures, progress));
                 if (seconds > MOST_CPU_SECONDS) {
                     add(name + ": takes " + seconds + " CPU-s", failures, progress);
                 }

@@ -1,15 +1,19 @@
 package nephele.workshop.prove.process;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.sim.Simulation;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.replay.ReplayRecorder;
 import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
+import nephele.host.named.LevelName;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -74,7 +78,7 @@ public final class JitMatrixProof implements Proof {
         long linesDue = (ticks + EVERY - 1) / EVERY;
         List<String> expected = null;
         for (JvmVariant variant : variants) {
-            List<String> lines = new ReplayProcess(variant, level, file, EVERY).lines();
+            List<String> lines = hashesOfProcess(variant, level, file, EVERY);
             expected = expected == null ? lines : expected;
             if (lines.size() != linesDue || !lines.equals(expected)) {
                 failures.add("replay " + unit + ", " + variant + ": differs at line " + difference(expected, lines));
@@ -112,5 +116,45 @@ public final class JitMatrixProof implements Proof {
             done += stretch;
         }
         return recorder.replay();
+    }
+
+    /**
+     * Plays a replay and prints a line {@code tick hash} every so many ticks.
+     *
+     * @param arguments level, replay, ticks between two lines
+     */
+    public static void main(String[] arguments) {
+        var opened = new LevelName(arguments[0]).open();
+        var replay = LevelName.replay(arguments[1]);
+        var level = SimLevel.of(opened.placed());
+        var hashes = Replay.hashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
+        replay.play(new Simulation(level, replay.settings()), hashes);
+    }
+
+    /**
+     * Plays a replay in a process of its own and returns the lines {@code tick hash} that it prints.
+     *
+     * @param every ticks between two lines
+     * @throws IOException with the error output of the process if it fails
+     */
+    public static List<String> hashesOfProcess(JvmVariant variant, String level, Path replay, int every)
+            throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(variant.java().toString(), "-Xmx256m"));
+        command.addAll(variant.flags());
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), JitMatrixProof.class.getName()));
+        command.addAll(List.of(level, replay.toString(), Integer.toString(every)));
+        Path errors = Files.createTempFile("nephele-replay", ".txt");
+        try {
+            Process process =
+                    new ProcessBuilder(command).redirectError(errors.toFile()).start();
+            process.getOutputStream().close();
+            String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            if (process.waitFor() != 0) {
+                throw new IOException(variant + ": " + Files.readString(errors));
+            }
+            return text.lines().toList();
+        } finally {
+            Files.delete(errors);
+        }
     }
 }

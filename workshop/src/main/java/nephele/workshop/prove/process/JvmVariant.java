@@ -10,31 +10,27 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** A Java installation and the flags that select its way of compilation. */
+/** A Java installation and the flags of its process, which select how it compiles, or a language and a time zone. */
 public record JvmVariant(String name, Path java, List<String> flags) {
     private static final int OLDEST = 17;
 
-    private static final List<List<String>> WAYS = List.of(
+    private static final List<List<String>> FLAGS = List.of(
             List.of(),
             List.of("-Xint"),
             List.of("-XX:TieredStopAtLevel=1"),
             List.of("-XX:-TieredCompilation", "-XX:+UseSerialGC"),
             List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu"));
 
-    /** Returns the number of variants in {@link #all()} that belong to one installation. */
-    public static int waysPerMachine() {
-        return WAYS.size();
-    }
-
     /**
-     * Returns every way on the running Java first, then on one installation of each other version in the same folder.
+     * Returns variants with all flags on the running Java first, then on one installation of each other version in the
+     * same folder.
      */
     public static List<JvmVariant> all() {
         List<JvmVariant> variants = new ArrayList<>();
         for (Path home : homes()) {
-            for (List<String> way : WAYS) {
-                String how = way.isEmpty() ? "default" : String.join(" ", way);
-                variants.add(new JvmVariant("Java " + version(home) + ", " + how, home.resolve("bin/java"), way));
+            for (List<String> flags : FLAGS) {
+                String how = flags.isEmpty() ? "default" : String.join(" ", flags);
+                variants.add(new JvmVariant("Java " + version(home) + ", " + how, home.resolve("bin/java"), flags));
             }
         }
         return variants;

@@ -14,14 +14,20 @@ public final class KillableProcess implements AutoCloseable {
         this.process = process;
     }
 
-    /** The place of what the process writes to its error stream. */
-    public enum Errors {
-        DISCARDED,
-        IN_OUTPUT
+    /** Starts the main method of a class; what it writes to its error stream is discarded. */
+    public static KillableProcess start(Class<?> main, String... arguments) throws IOException {
+        ProcessBuilder process = process(main, arguments).redirectError(ProcessBuilder.Redirect.DISCARD);
+        return new KillableProcess(process.start());
     }
 
-    /** Starts the main method of a class as cheaply as possible, with the class path of this process. */
-    public static KillableProcess start(Errors errors, Class<?> main, String... arguments) throws IOException {
+    /** Starts the main method of a class; what it writes to its error stream is a part of its output. */
+    public static KillableProcess startWithErrors(Class<?> main, String... arguments) throws IOException {
+        return new KillableProcess(
+                process(main, arguments).redirectErrorStream(true).start());
+    }
+
+    /** Returns a process that starts as cheaply as possible, with the class path of this one. */
+    private static ProcessBuilder process(Class<?> main, String... arguments) {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
@@ -32,12 +38,7 @@ public final class KillableProcess implements AutoCloseable {
                 System.getProperty("java.class.path"),
                 main.getName()));
         command.addAll(List.of(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command);
-        switch (errors) {
-            case DISCARDED -> builder.redirectError(ProcessBuilder.Redirect.DISCARD);
-            case IN_OUTPUT -> builder.redirectErrorStream(true);
-        }
-        return new KillableProcess(builder.start());
+        return new ProcessBuilder(command);
     }
 
     /** Returns what the process writes; what it wrote before a kill can be read after it. */

@@ -1,5 +1,6 @@
 package nephele.workshop.prove.process;
 
+import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -8,36 +9,88 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.locks.LockSupport;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
+import nephele.host.userfile.UserFile;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
 /**
- * Kills processes that save files of one kind, at random moments, and reads the files that remain. A unit is a kill within a save;
- * a kill between two saves is repeated.
+ * Kills processes that save files of one kind in generations, each with a content of its own size, at random moments, and
+ * reads the files that remain. A unit is a kill within a save; a kill between two saves is repeated.
  */
-public final class SaveKillProof implements Proof {
+public enum SaveKillProof implements Proof {
+    /** Saves levels as the editor does. */
+    LEVELS("save-kills", "Killing the process at any moment of a save leaves a complete old or new level file.") {
+        @Override
+        void save(Path file, int generation) {
+            LevelFile.save(file, level(generation));
+        }
+
+        @Override
+        String problem(Path file) {
+            try {
+                Level found = LevelFile.read(file);
+                return found.equals(level(Integer.parseInt(found.name())))
+                        ? null
+                        : "the file holds a level that was never saved";
+            } catch (LevelFormatException | NumberFormatException unreadable) {
+                return unreadable.getMessage();
+            }
+        }
+    },
+    /** Saves settings as the game does. */
+    SETTINGS(
+            "settings-kills",
+            "Killing the process at any moment of a save leaves complete old or new settings, unknown entries"
+                    + " included.") {
+        @Override
+        void save(Path file, int generation) throws IOException {
+            new UserFile(file, "nephele-settings", 1).save(entries(generation));
+        }
+
+        @Override
+        String problem(Path file) {
+            List<String> problems = new ArrayList<>();
+            JsonObject found = new UserFile(file, "nephele-settings", 1).read(problems::add);
+            if (!problems.isEmpty()) {
+                return problems.toString();
+            }
+            return found.has("generation")
+                            && found.equals(entries(found.get("generation").getAsInt()))
+                    ? null
+                    : "the file holds entries that were never saved";
+        }
+    };
+
     private static final int MOST_SAVES_BEFORE = 3;
 
     /** The latest moment of a kill, in durations of the previous save, because some saves take longer. */
     private static final double LENGTHS = 1.25;
 
-    /** Saves levels as the editor does. */
-    public static final Proof LEVELS = new SaveKillProof(SavedFile.LEVEL);
+    /** A limit at which a saving process ends by itself, in case its parent has ended without killing it. */
+    private static final int MOST_SAVES = 5_000;
 
-    /** Saves settings as the game does. */
-    public static final Proof SETTINGS = new SaveKillProof(SavedFile.PLAYER);
+    /** Written when a save begins; {@link #ENDED} when it has ended. */
+    static final char BEGUN = '(';
 
-    private final SavedFile kind;
+    static final char ENDED = ')';
 
-    private SaveKillProof(SavedFile kind) {
-        this.kind = kind;
+    private final String proof;
+    private final String sentence;
+
+    SaveKillProof(String proof, String sentence) {
+        this.proof = proof;
+        this.sentence = sentence;
     }
 
     @Override
     public Claim claim() {
-        return new Claim(kind.proof(), kind.claim(), "kills within a save", 1_000, 100);
+        return new Claim(proof, sentence, "kills within a save", 1_000, 100);
     }
 
     @Override
@@ -74,7 +127,7 @@ public final class SaveKillProof implements Proof {
 
     /** @param reported everything that a killed process wrote */
     static boolean isWithinASave(String reported) {
-        return reported.endsWith(String.valueOf(SavedFile.BEGUN));
+        return reported.endsWith(String.valueOf(BEGUN));
     }
 
     private static boolean isUnfinished(Path file) throws IOException {
@@ -87,14 +140,10 @@ public final class SaveKillProof implements Proof {
         return folder.resolve("saved-" + unit + ".json");
     }
 
-    private static Path beside(Path file, String suffix) {
-        return file.resolveSibling(file.getFileName() + suffix);
-    }
-
     /** Starts a process that saves exactly as the program does. */
     private KillableProcess start(Path file) throws IOException {
-        kind.save(file, 0);
-        return KillableProcess.start(KillableProcess.Errors.DISCARDED, SavedFile.class, kind.name(), file.toString());
+        save(file, 0);
+        return KillableProcess.start(SaveKillProof.class, name(), file.toString());
     }
 
     /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
@@ -104,10 +153,10 @@ public final class SaveKillProof implements Proof {
         long begun = 0;
         long nanos = 0;
         for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves >= 0; saves--) {
-            awaitNext(child, SavedFile.BEGUN, reported);
+            awaitNext(child, BEGUN, reported);
             begun = System.nanoTime();
             if (saves > 0) {
-                awaitNext(child, SavedFile.ENDED, reported);
+                awaitNext(child, ENDED, reported);
                 nanos = System.nanoTime() - begun;
             }
         }
@@ -128,9 +177,63 @@ public final class SaveKillProof implements Proof {
 
     /** Checks that the file itself, not its backup, is one of the saved generations, complete. */
     private void judge(long unit, Path file, List<String> failures) {
-        String problem = kind.problem(file);
+        String problem = problem(file);
         if (problem != null) {
             failures.add("kill " + unit + ": " + problem);
         }
+    }
+
+    /** Saves the content of a generation. */
+    abstract void save(Path file, int generation) throws IOException;
+
+    /** Returns why the file, not its backup, is no complete generation; {@code null} if it is one. */
+    abstract String problem(Path file);
+
+    private static JsonObject entries(int generation) {
+        JsonObject entries = new JsonObject();
+        entries.addProperty("generation", generation);
+        for (int i = 0; i < generation * 37 % 200; i++) {
+            entries.addProperty("unknown entry " + i, "kept " + generation);
+        }
+        return entries;
+    }
+
+    private static Level level(int generation) {
+        StringBuilder json = new StringBuilder("{\"format\": \"nephele-level\", \"version\": 1, \"name\": \"");
+        json.append(generation).append("\", \"solids\": [");
+        for (int i = 0; i < generation * 37 % 200; i++) {
+            json.append(i == 0 ? "" : ",")
+                    .append("{\"id\": \"s")
+                    .append(i)
+                    .append("\", \"kind\": \"box\", \"centre\": [")
+                    .append(i)
+                    .append(", 0.5, ")
+                    .append(generation)
+                    .append("], \"size\": [1, 1, 1]}");
+        }
+        return LevelJson.read("generated", json.append("]}").toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /**
+     * Saves one generation after another until the process is killed, and writes when each save begins and ends.
+     *
+     * @param arguments the constant's name and the file
+     */
+    public static void main(String[] arguments) throws IOException {
+        SaveKillProof kind = SaveKillProof.valueOf(arguments[0]);
+        Path file = Path.of(arguments[1]);
+        for (int generation = 1; generation <= MOST_SAVES; generation++) {
+            report(BEGUN);
+            kind.save(file, generation);
+            report(ENDED);
+            if (System.out.checkError()) {
+                return;
+            }
+        }
+    }
+
+    private static void report(char what) {
+        System.out.write(what);
+        System.out.flush();
     }
 }

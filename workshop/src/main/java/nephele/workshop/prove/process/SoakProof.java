@@ -1,8 +1,14 @@
 package nephele.workshop.prove.process;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.function.Supplier;
 import nephele.engine.choice.LevelRenderer;
+import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -13,6 +19,7 @@ import nephele.host.named.LevelName;
 import nephele.host.playthrough.Playthrough;
 import nephele.host.playthrough.ReplayInput;
 import nephele.workshop.prove.proof.Claim;
+import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
 import nephele.workshop.prove.proof.ProofResult;
 
@@ -20,6 +27,10 @@ import nephele.workshop.prove.proof.ProofResult;
 public final class SoakProof implements Proof {
     private static final QualityChoice QUALITY = new QualityChoice("high", Map.of());
     private static final int WARM_UP_SECONDS = 3;
+    private static final double LONGEST_PAUSE_MS = 5;
+    private static final double MOST_BYTES_A_FRAME = 2048;
+    private static final double MOST_BYTES_A_TICK = 4096;
+    private static final long NANOS_PER_SECOND = 1_000_000_000L;
 
     private final int width;
     private final int height;
@@ -52,12 +63,12 @@ public final class SoakProof implements Proof {
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
                 var renderer = LevelRenderer.load(gl, prepared.scene(), settings)) {
-            var soak = new Soak(gl, renderer, picture, () -> walk(level, prepared));
-            soak.play(WARM_UP_SECONDS, Progress.NONE);
-            soak.forget();
+            var run = new Run(gl, renderer, picture, () -> walk(level, prepared));
+            run.play(WARM_UP_SECONDS, Progress.NONE);
+            run.forget();
             try (var pauses = CollectorPauses.listen()) {
-                soak.play(count, progress);
-                return soak.result(count, pauses);
+                run.play(count, progress);
+                return run.result(count, pauses);
             }
         }
     }
@@ -66,5 +77,97 @@ public final class SoakProof implements Proof {
         var replay = level.recordedWalk();
         var beginning = new Playthrough.Beginning(level.fileName(), replay.settings(), replay.start());
         return new Playthrough(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
+    }
+
+    /** Frames of the game without a window, with the bytes that they allocate. */
+    private static final class Run {
+        private final GlContext gl;
+        private final Renderer renderer;
+        private final RenderTarget picture;
+        /** Creates a walk from the beginning. */
+        private final Supplier<Playthrough> walks;
+
+        private final Stopwatch stopwatch = new Stopwatch();
+        private Playthrough playthrough;
+        private long frames;
+        private long ticks;
+        private long bytesOfFrames;
+        private long bytesOfTicks;
+        private boolean finite = true;
+
+        Run(GlContext gl, Renderer renderer, RenderTarget picture, Supplier<Playthrough> walks) {
+            this.gl = gl;
+            this.renderer = renderer;
+            this.picture = picture;
+            this.walks = walks;
+            playthrough = walks.get();
+        }
+
+        void forget() {
+            frames = 0;
+            ticks = 0;
+            bytesOfFrames = 0;
+            bytesOfTicks = 0;
+        }
+
+        void play(long seconds, Proof.Progress progress) {
+            long start = System.nanoTime();
+            long last = start;
+            while (last - start < seconds * NANOS_PER_SECOND) {
+                long now = System.nanoTime();
+                simulate(now - last);
+                draw();
+                last = now;
+                progress.unitsDone((now - start) / NANOS_PER_SECOND);
+            }
+        }
+
+        private void simulate(long elapsedNanos) {
+            long tickBefore = playthrough.state().tick();
+            long before = stopwatch.allocatedBytes();
+            playthrough.advance(elapsedNanos);
+            bytesOfTicks += stopwatch.allocatedBytes() - before;
+            ticks += playthrough.state().tick() - tickBefore;
+            finite &= playthrough.state().faults() == 0;
+            if (playthrough.isFinished()) {
+                playthrough = walks.get();
+            }
+        }
+
+        private void draw() {
+            long before = stopwatch.allocatedBytes();
+            renderer.draw(
+                    playthrough.view((double) picture.width() / picture.height()), playthrough.frameState(), picture);
+            bytesOfFrames += stopwatch.allocatedBytes() - before;
+            gl.finish();
+            frames++;
+        }
+
+        ProofResult result(long seconds, CollectorPauses pauses) {
+            double bytesAFrame = (double) bytesOfFrames / Math.max(1, frames);
+            double bytesATick = (double) bytesOfTicks / Math.max(1, ticks);
+            var failures = new ArrayList<String>();
+            check(failures, "GC pause of %.1f ms", pauses.longestMs(), LONGEST_PAUSE_MS);
+            check(failures, "%.0f bytes a frame", bytesAFrame, MOST_BYTES_A_FRAME);
+            check(failures, "%.0f bytes a tick", bytesATick, MOST_BYTES_A_TICK);
+            if (!finite) {
+                failures.add("the simulation undid a tick that was not finite");
+            }
+            gl.requireNoError("soak");
+            return ProofResult.of(
+                    seconds,
+                    failures,
+                    Figure.greatest("longest GC pause", pauses.longestMs(), "ms"),
+                    Figure.sum("collections", pauses.count(), ""),
+                    Figure.greatest("render path", bytesAFrame, "B a frame"),
+                    Figure.greatest("simulation", bytesATick, "B a tick"),
+                    Figure.sum("frames", frames, ""));
+        }
+
+        private static void check(List<String> failures, String text, double value, double most) {
+            if (value > most) {
+                failures.add(String.format(Locale.ROOT, text, value));
+            }
+        }
     }
 }

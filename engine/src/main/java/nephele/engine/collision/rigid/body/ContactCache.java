@@ -1,6 +1,5 @@
 package nephele.engine.collision.rigid.body;
 
-import java.util.Arrays;
 import nephele.engine.math.Hash64;
 
 /**
@@ -102,7 +101,8 @@ public final class ContactCache {
         return key >>> FEATURE_BITS << FEATURE_BITS;
     }
 
-    private static boolean isSameFeatures(long a, long b) {
+    /** Returns true if two keys name the same touching features. */
+    public static boolean isSameFeatures(long a, long b) {
         return ((a ^ b) & 0x7f8) == 0;
     }
 
@@ -125,54 +125,5 @@ public final class ContactCache {
     public static int second(long key) {
         long parties = key >>> FEATURE_BITS;
         return (parties & (1L << 32)) == 0 ? -1 : (int) (parties >>> 8 & 0xffffff);
-    }
-
-    /** Finds manifolds in a contact cache by their shapes, in a hash table with linear probing. Reused. */
-    public static final class Index {
-        private static final int NOTHING = -1;
-
-        private ContactCache cache = ContactCache.NONE;
-        private int[] table = new int[16];
-        private int mask = 15;
-
-        /** Sets the cache. */
-        public void index(ContactCache last) {
-            cache = last;
-            int size = Integer.highestOneBit(Math.max(8, last.size())) * 4;
-            if (table.length < size) {
-                table = new int[size];
-            }
-            mask = size - 1;
-            Arrays.fill(table, 0, size, NOTHING);
-            for (int i = 0; i < last.size(); i++) {
-                int at = slot(parties(last.key(i)));
-                while (table[at] != NOTHING) {
-                    at = at + 1 & mask;
-                }
-                table[at] = i;
-            }
-        }
-
-        private int slot(long parties) {
-            long mixed = parties * 0x9e3779b97f4a7c15L;
-            return (int) (mixed >>> 32) & mask;
-        }
-
-        private int placeOf(long parties) {
-            int at = slot(parties);
-            while (table[at] != NOTHING) {
-                if (parties(cache.key(table[at])) == parties) {
-                    return table[at];
-                }
-                at = at + 1 & mask;
-            }
-            return NOTHING;
-        }
-
-        /** Returns the entry with the shapes and touching features of a key, −1 for none. */
-        public int find(long key) {
-            int entry = placeOf(parties(key));
-            return entry != NOTHING && isSameFeatures(cache.keys[entry], key) ? entry : NOTHING;
-        }
     }
 }

@@ -3,6 +3,7 @@ package nephele.engine.render.gl.shader;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -10,9 +11,8 @@ import java.util.Map;
  * compiles nothing again.
  */
 public final class LinkedPrograms {
-    private final Map<Sources, Integer> linked = new HashMap<>();
-
-    private record Sources(ShaderSource vertex, ShaderSource fragment) {}
+    /** By the vertex and the fragment shader. */
+    private final Map<List<ShaderSource>, Integer> linked = new HashMap<>();
 
     public static String name(ShaderSource vertex, ShaderSource fragment) {
         return vertex.name() + "+" + fragment.name();
@@ -24,7 +24,7 @@ public final class LinkedPrograms {
      * @throws GlException with file and line if the sources do not compile
      */
     public int linked(ShaderSource vertex, ShaderSource fragment) {
-        Sources sources = new Sources(vertex, fragment);
+        List<ShaderSource> sources = List.of(vertex, fragment);
         Integer known = linked.get(sources);
         if (known == null) {
             known = link(vertex, fragment);

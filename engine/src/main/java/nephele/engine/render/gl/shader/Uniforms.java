@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 import org.lwjgl.system.MemoryStack;
@@ -48,11 +49,8 @@ public final class Uniforms {
     /** The record of a program that has no uniforms but samplers and blocks. */
     public record None() {}
 
-    private interface Made {
-        Object at(int program, int location);
-    }
-
-    private record Kind(int glType, Made made) {}
+    /** @param make makes a uniform of a program from its location */
+    private record Kind(int glType, BiFunction<Integer, Integer, Object> make) {}
 
     public Uniforms(int program, String programName) {
         this.program = program;
@@ -204,7 +202,7 @@ public final class Uniforms {
         if (location >= 0 && found != kind.glType) {
             throw new GlException(programName + " has uniform '" + name + "' with another type than its record");
         }
-        return kind.made.at(program, location);
+        return kind.make.apply(program, location);
     }
 
     private static boolean isSampler(int glType) {
@@ -230,20 +228,12 @@ public final class Uniforms {
         return new Whole(program, location(name));
     }
 
-    public Vector2 vector2(String name) {
-        return new Vector2(program, location(name));
-    }
-
     public Vector3 vector3(String name) {
         return new Vector3(program, location(name));
     }
 
     public Vector4 vector4(String name) {
         return new Vector4(program, location(name));
-    }
-
-    public WholeVector4 wholeVector4(String name) {
-        return new WholeVector4(program, location(name));
     }
 
     public Matrix4 matrix4(String name) {
@@ -253,11 +243,6 @@ public final class Uniforms {
     /** Binds a sampler to another texture unit than the one that names it. */
     public void sampler(String name, TextureUnit unit) {
         glProgramUniform1i(program, location(name), unit.number());
-    }
-
-    /** Returns true if the program reads a uniform. */
-    public boolean reads(String name) {
-        return glGetUniformLocation(program, name) >= 0;
     }
 
     private int location(String name) {

@@ -1,11 +1,15 @@
 package nephele.engine.render.pass.billboard;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
 import nephele.engine.level.Billboards;
+import nephele.engine.level.Level;
 import nephele.engine.particle.BackToFront;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -19,12 +23,18 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Whole;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
 import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;
+import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 
 /**
@@ -40,10 +50,15 @@ public final class BillboardPass implements Pass {
                     "billboard.blended", Stage.IN_VIEWS_AFTER_OPAQUE, request -> requiredBy(request, Kind.BLENDED))
             .using(SurfaceLight.RESOURCE, MeteredExposure.RESOURCE);
 
+    private static final String FOLDER = "/nephele/engine/render/pass/billboard/";
+
+    /** The defines of what varies over a billboard and is interpolated between vertices. */
+    private static final Set<String> VARYING = Set.of("SUN SKY_AMBIENT FLASH FOG AIR".split(" "));
+
     /** Cells along a side of a billboard over which light varies. */
     private static final int CELLS = 2;
 
-    /** The same of large ones, over which the edges of shadows are seen. */
+    /** The same of large ones, over which the edges of shadows are visible. */
     private static final int LARGE_CELLS = 8;
 
     private static final double LARGE_PIXELS = 64;
@@ -54,16 +69,22 @@ public final class BillboardPass implements Pass {
     private final TargetReads reads;
     private final SurfaceLight light;
     private final BillboardQuads quads;
-    private final BillboardProgram program;
+    private final GlProgram<ImageUniforms> program;
+    /** Whether the light at the vertices of a billboard, or the air before them, can differ. */
+    private final boolean varies;
+
     private final BillboardList list;
     /** Billboards that are large in the picture. */
     private final BillboardList large;
 
-    private final List<Cluster> seen = new ArrayList<>();
+    private final List<Cluster> visible = new ArrayList<>();
     private final BackToFront order = new BackToFront();
     private final float[] eye = new float[3];
     /** The tangent of half the angle of large billboards. */
     private double largeTangent;
+
+    /** @param observer the place that billboards face; not read if they face the eye */
+    private record ImageUniforms(EyeUniforms eye, @IfRead Vector3 observer, Whole perSheet, Whole verticesEach) {}
 
     private BillboardPass(LoadContext context, Kind kind, TargetReads reads) {
         this.kind = kind;
@@ -75,9 +96,25 @@ public final class BillboardPass implements Pass {
                 ? Blend.PREMULTIPLIED_OVER
                 : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         quads = BillboardQuads.of(context, kind);
-        program = new BillboardProgram(context, kind);
-        list = context.own(new BillboardList(gl, program.varies() ? CELLS : 1));
+        MeteredExposure.readInViews(context);
+        Map<String, String> defines = defines(context);
+        varies = !Collections.disjoint(defines.keySet(), VARYING);
+        program = GlProgram.of(gl, FOLDER + "billboard.vert", FOLDER + "billboard.frag", defines, ImageUniforms.class);
+        list = context.own(new BillboardList(gl, varies ? CELLS : 1));
         large = context.own(new BillboardList(gl, LARGE_CELLS));
+    }
+
+    private Map<String, String> defines(LoadContext context) {
+        Level level = context.scene().level();
+        boolean isAnimated = level.billboards().stream()
+                .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
+        return light.addForDynamicObjects(Defines.of(context))
+                .with("LAMBERT")
+                .withIf(kind == Kind.BLENDED, "BLENDED")
+                .withIf(isAnimated, "ANIMATED")
+                .withIf(kind == Kind.BLENDED && context.request().fadesAtSurfaces(), "SURFACES")
+                .withIf(level.observerStart() != null, "OBSERVER")
+                .values();
     }
 
     private static List<Required> requiredBy(FrameRequest request, Kind kind) {
@@ -102,14 +139,14 @@ public final class BillboardPass implements Pass {
 
     @Override
     public boolean needsCopies(FrameContext frame) {
-        quads.findSeen(frame.seen(), seen);
-        return kind == Kind.BLENDED && !seen.isEmpty();
+        quads.findVisible(frame.frustum(), visible);
+        return kind == Kind.BLENDED && !visible.isEmpty();
     }
 
     @Override
     public void draw(FrameContext frame) {
-        quads.findSeen(frame.seen(), seen);
-        if (seen.isEmpty()) {
+        quads.findVisible(frame.frustum(), visible);
+        if (visible.isEmpty()) {
             return;
         }
         quads.follow(frame.frameState().seconds());
@@ -117,7 +154,12 @@ public final class BillboardPass implements Pass {
         Depth depth = kind == Kind.BLENDED ? Depth.LESS_OR_EQUAL : Depth.LESS_AND_WRITE;
         gl.state().set(depth, blend, Cull.NONE, frame.clipDistances());
         light.bind(reads);
-        program.use(frame.view(), frame.frameState().observer());
+        program.use();
+        program.uniforms().eye().set(frame.view(), light.anchor());
+        ObserverSphere observer = frame.frameState().observer();
+        if (observer != null) {
+            program.uniforms().observer().set(observer.centre().minus(light.anchor()));
+        }
         quads.bind();
         setEye(frame.view(), frame.surface().height());
         if (kind == Kind.BLENDED) {
@@ -128,12 +170,12 @@ public final class BillboardPass implements Pass {
     }
 
     private void drawByClusters() {
-        for (int i = 0; i < seen.size(); i++) {
-            Cluster cluster = seen.get(i);
+        for (int i = 0; i < visible.size(); i++) {
+            Cluster cluster = visible.get(i);
             for (int image = cluster.first(); image < cluster.end(); image++) {
                 listOf(image).add(image);
             }
-            if (i + 1 == seen.size() || seen.get(i + 1).array() != cluster.array()) {
+            if (i + 1 == visible.size() || visible.get(i + 1).array() != cluster.array()) {
                 draw(list, cluster.array());
                 draw(large, cluster.array());
             }
@@ -142,9 +184,8 @@ public final class BillboardPass implements Pass {
 
     /** @param pictureHeight pixels */
     private void setEye(View view, int pictureHeight) {
-        largeTangent = program.varies()
-                ? LARGE_PIXELS * view.projection().tanHalfHeight() / pictureHeight
-                : Double.POSITIVE_INFINITY;
+        largeTangent =
+                varies ? LARGE_PIXELS * view.projection().tanHalfHeight() / pictureHeight : Double.POSITIVE_INFINITY;
         eye[0] = (float) (view.eyeX() - light.anchor().x());
         eye[1] = (float) (view.eyeY() - light.anchor().y());
         eye[2] = (float) (view.eyeZ() - light.anchor().z());
@@ -164,7 +205,7 @@ public final class BillboardPass implements Pass {
 
     private void drawSorted() {
         order.begin(quads.count());
-        for (Cluster cluster : seen) {
+        for (Cluster cluster : visible) {
             for (int image = cluster.first(); image < cluster.end(); image++) {
                 order.add(image, squareDistance(image));
             }
@@ -188,7 +229,8 @@ public final class BillboardPass implements Pass {
     private void draw(BillboardList images, int array) {
         if (images.count() > 0) {
             quads.bindSprites(array);
-            program.follow(images);
+            program.uniforms().perSheet().set(images.perSheet());
+            program.uniforms().verticesEach().set(images.vertices());
             images.draw();
             images.begin();
         }

@@ -51,11 +51,11 @@ final class CloudEntries {
         }
 
         private void follow(FrameContext frame, boolean isFlash, TechniqueFade fade) {
-            double share = 0;
+            double drawn = 0;
             for (List<CloudTechnique> stage : stages) {
-                share += fade.share(stage);
+                drawn += fade.fraction(stage);
             }
-            cloud.fractionDrawn(Math.min(1, share));
+            cloud.fractionDrawn(Math.min(1, drawn));
             CloudInterval now = clouds.now();
             cloud.follow(now);
             drawing.follow(frame.frameState().environment(), now);

@@ -20,7 +20,7 @@ import nephele.engine.scene.View;
 
 /**
  * The target of low resolution into which clouds are marched. The rays of one view can be divided among frames: a frame
- * marches one of each square of rays, and the others show what was seen in their direction before, at most as many
+ * marches one of each square of rays, and the others keep what was found in their direction before, at most as many
  * frames ago as a square has rays. The first frame after a cut marches all, as after a jump in time. Views that all march
  * all rays may share a layer in turn.
  */
@@ -44,7 +44,7 @@ final class CloudLayer implements GlObject {
     private final int divisor;
     private final int side;
     private final DrawState.Limits limits = new DrawState.Limits();
-    private RenderTarget shown;
+    private RenderTarget layer;
     /** The layer of the frame before, then that of the next; {@code null} without history, as are the following. */
     private RenderTarget other;
 
@@ -62,7 +62,7 @@ final class CloudLayer implements GlObject {
     private GlProgram<Uniforms.None> composite;
 
     /** Draws it where surfaces can be among the clouds. */
-    private GlProgram<MixedUniforms> compositeMixed;
+    private GlProgram<CloudRanges.Places> compositeMixed;
 
     private View before;
     private double seconds;
@@ -82,19 +82,6 @@ final class CloudLayer implements GlObject {
             Uniforms.Vector2 halfLayer,
             Uniforms.Scalar nearestKilometres,
             Uniforms.Vector3 movedPast) {}
-
-    private record MixedUniforms(CloudRanges.Places ranges) {}
-
-    /**
-     * The cloud that may have moved farthest in a picture between two frames.
-     *
-     * @param metres from the eye to its bounds
-     */
-    record Nearest(PlacedCloud cloud, double metres) {
-        private Vec3 blown(double secondsBefore, double seconds) {
-            return cloud.source().drift(seconds).minus(cloud.source().drift(secondsBefore));
-        }
-    }
 
     /**
      * @param divisor pixels of the view along each side of one of the layer
@@ -116,7 +103,7 @@ final class CloudLayer implements GlObject {
      * @param now simulated seconds
      */
     void begin(RenderTarget surface, int cutsSoFar, double now) {
-        if (shown == null || width != surface.width() || height != surface.height()) {
+        if (layer == null || width != surface.width() || height != surface.height()) {
             resize(surface);
         }
         if (cuts != cutsSoFar || !(Math.abs(now - seconds) <= JUMP_SECONDS)) {
@@ -127,20 +114,20 @@ final class CloudLayer implements GlObject {
         seconds = now;
         frame = before == null ? 0 : frame + 1;
         gl.state().beginLayer(divisor * marchedSide(), limits);
-        (before == null ? shown : fresh).clearTransparentWithinScissor();
+        (before == null ? layer : fresh).clearTransparentWithinScissor();
     }
 
     private void resize(RenderTarget surface) {
         close();
         width = surface.width();
         height = surface.height();
-        shown = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
+        layer = surface.reduced("clouds", PixelFormat.RGBA16F, divisor);
         joined = RenderTarget.picture(
-                gl, "joined clouds", PixelFormat.RGBA16F, shown.width() + 1, shown.height() + 1, Sampling.LINEAR_CLAMP);
+                gl, "joined clouds", PixelFormat.RGBA16F, layer.width() + 1, layer.height() + 1, Sampling.LINEAR_CLAMP);
         if (side > 1) {
             other = surface.reduced("clouds before", PixelFormat.RGBA16F, divisor);
-            int across = (shown.width() + side - 1) / side;
-            int up = (shown.height() + side - 1) / side;
+            int across = (layer.width() + side - 1) / side;
+            int up = (layer.height() + side - 1) / side;
             fresh = RenderTarget.pair(gl, "marched clouds", PixelFormat.RGBA16F, across, up, Sampling.NEAREST_CLAMP);
         }
     }
@@ -172,9 +159,9 @@ final class CloudLayer implements GlObject {
     /**
      * Ends the layer and restores the limits of the view.
      *
-     * @param nearest that may be in the layer
+     * @param nearest cloud in the layer, the one that may have moved farthest in the picture
      */
-    void end(View view, Nearest nearest, FullScreenTriangle triangle) {
+    void end(View view, PlacedCloud nearest, FullScreenTriangle triangle) {
         if (before != null) {
             complete(view, nearest, triangle);
         }
@@ -183,13 +170,13 @@ final class CloudLayer implements GlObject {
         before = side == 1 ? null : view;
     }
 
-    private void complete(View view, Nearest nearest, FullScreenTriangle triangle) {
+    private void complete(View view, PlacedCloud nearest, FullScreenTriangle triangle) {
         if (spread == null) {
             spread = program("spread.frag", Defines.of(context), SpreadUniforms.class);
         }
         RenderTarget completed = other;
-        other = shown;
-        shown = completed;
+        other = layer;
+        layer = completed;
         completed.bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
         fresh.colour().bind(TextureUnit.SPREAD_FRESH);
@@ -200,7 +187,7 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
-    private void put(SpreadUniforms uniforms, View view, Nearest nearest) {
+    private void put(SpreadUniforms uniforms, View view, PlacedCloud nearest) {
         double across = (double) width / divisor;
         double upwards = (double) height / divisor;
         uniforms.layerStep.set(2 / across, 2 / upwards);
@@ -208,11 +195,18 @@ final class CloudLayer implements GlObject {
         uniforms.square.set(side, column(frame, side), row(frame, side));
         Vec3 moved = view.eye().minus(before.eye());
         uniforms.moved.set(moved);
-        uniforms.movedPast.set(moved.minus(nearest.blown(secondsBefore, seconds)));
-        uniforms.nearestKilometres.set(Math.max(NEAREST_KILOMETRES, Math.min(SKY_KILOMETRES, nearest.metres() / 1000)));
+        uniforms.movedPast.set(moved.minus(blown(nearest)));
+        uniforms.nearestKilometres.set(Math.max(
+                NEAREST_KILOMETRES,
+                Math.min(SKY_KILOMETRES, nearest.bounds(seconds).nearest(view.eye()) / 1000)));
         uniforms.beforeRight.setScaled(before.right(), 1 / before.projection().tanHalfWidth());
         uniforms.beforeUp.setScaled(before.up(), 1 / before.projection().tanHalfHeight());
         uniforms.beforeForward.setScaled(before.back(), -1);
+    }
+
+    /** Returns how far the wind has carried a cloud since the frame before. */
+    private Vec3 blown(PlacedCloud cloud) {
+        return cloud.source().drift(seconds).minus(cloud.source().drift(secondsBefore));
     }
 
     private void join(FullScreenTriangle triangle) {
@@ -221,7 +215,7 @@ final class CloudLayer implements GlObject {
         }
         joined.bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
-        shown.colour().bind(TextureUnit.COLOURS);
+        layer.colour().bind(TextureUnit.COLOURS);
         join.use();
         triangle.draw();
     }
@@ -236,10 +230,10 @@ final class CloudLayer implements GlObject {
         gl.state().set(isMixed ? Depth.OFF : Depth.LESS_OR_EQUAL, blend, Cull.NONE);
         if (isMixed) {
             if (compositeMixed == null) {
-                compositeMixed = program("composite.frag", defines("MIXED"), MixedUniforms.class);
+                compositeMixed = program("composite.frag", defines("MIXED"), CloudRanges.Places.class);
             }
             compositeMixed.use();
-            ranges.put(compositeMixed.uniforms().ranges, view);
+            ranges.put(compositeMixed.uniforms(), view);
         } else {
             if (composite == null) {
                 composite = program("composite.frag", defines("FARTHEST"), Uniforms.None.class);
@@ -260,10 +254,10 @@ final class CloudLayer implements GlObject {
 
     @Override
     public void close() {
-        if (shown != null) {
-            shown.close();
+        if (layer != null) {
+            layer.close();
             joined.close();
-            shown = null;
+            layer = null;
         }
         if (other != null) {
             other.close();

@@ -113,11 +113,12 @@ public final class CloudPass implements Pass {
 
     /** Returns true if surfaces can be among the clouds that an eye sees. */
     private boolean isMixed(Vec3 eye) {
-        return nearest(eye).metres() < farthestSurface(eye);
+        double seconds = levelClouds.current().now().seconds();
+        return nearest(eye).bounds(seconds).nearest(eye) < farthestSurface(eye);
     }
 
     /** Returns the cloud whose bounds are nearest to an eye. */
-    private CloudLayer.Nearest nearest(Vec3 eye) {
+    private PlacedCloud nearest(Vec3 eye) {
         double seconds = levelClouds.current().now().seconds();
         double least = Double.POSITIVE_INFINITY;
         PlacedCloud nearest = null;
@@ -128,7 +129,7 @@ public final class CloudPass implements Pass {
                 nearest = clouds.get(i);
             }
         }
-        return new CloudLayer.Nearest(nearest, least);
+        return nearest;
     }
 
     @Override

@@ -9,13 +9,13 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.scene.View;
 
-/** The impostor of one cloud of balls: the picture that is shown, and the one that is made meanwhile. */
+/** The impostor of one cloud of puffs: the picture that is drawn, and the one that is made meanwhile. */
 final class Impostor implements GlObject {
     /** Wear from which on a new picture is made. */
     private static final double WORN = 0.75;
     /** Frames in which a picture wears, for each in which it is made; others are made meanwhile. */
     private static final double LEAST_LIFE = 1.5;
-    /** Frames in which a picture wears, for each in whose time its balls could be drawn. */
+    /** Frames in which a picture wears, for each in whose time its puffs could be drawn. */
     private static final double LEAST_USE = 1.5;
     /** Frames after which a cloud that is not worth a picture is asked again. */
     private static final int PAUSE_FRAMES = 8;
@@ -23,13 +23,13 @@ final class Impostor implements GlObject {
     private final PuffCloud cloud;
     private final PlacedCloud placed;
     private final LitCloud cells;
-    private ImpostorPicture shown;
+    private ImpostorPicture drawn;
     private ImpostorPicture coming;
     private Aabb bounds;
     private CloudPuffs boundedFrom;
     private CloudPuffs boundedTo;
-    private DrawnCloud shownBefore;
-    private double shareBefore;
+    private DrawnCloud earlierBefore;
+    private double fractionBefore;
     private double ageing;
     private int pause;
     private double wear;
@@ -40,39 +40,39 @@ final class Impostor implements GlObject {
         this.cloud = cloud;
         placed = cloud.placed();
         cells = cloud.cells();
-        shown = new ImpostorPicture(gl);
+        drawn = new ImpostorPicture(gl);
         coming = new ImpostorPicture(gl);
     }
 
     /** Forgets its pictures. */
     void forget() {
-        shown.forget();
+        drawn.forget();
         coming.forget();
         pause = 0;
     }
 
-    /** Takes the balls at the two times between which the frame is. */
+    /** Takes the puffs at the two times between which the frame is. */
     void follow(CloudPuffs from, CloudPuffs to) {
         if (from != boundedFrom || to != boundedTo) {
             boundedFrom = from;
             boundedTo = to;
             bounds = bounds(from).union(to == from ? Aabb.EMPTY : bounds(to));
         }
-        ageing = ImpostorPicture.ageing(cells, shownBefore, shareBefore);
-        shownBefore = cells.shown();
-        shareBefore = cells.share();
+        ageing = ImpostorPicture.ageing(cells, earlierBefore, fractionBefore);
+        earlierBefore = cells.earlier();
+        fractionBefore = cells.fraction();
     }
 
-    private static Aabb bounds(CloudPuffs balls) {
+    private static Aabb bounds(CloudPuffs puffs) {
         Aabb all = Aabb.EMPTY;
-        for (CloudPuffs.Puff ball : balls.all()) {
-            double side = 2 * ball.radiusMetres();
-            all = side > 0 ? all.union(Aabb.around(ball.centre(), new Vec3(side, side, side))) : all;
+        for (CloudPuffs.Puff puff : puffs.all()) {
+            double side = 2 * puff.radiusMetres();
+            all = side > 0 ? all.union(Aabb.around(puff.centre(), new Vec3(side, side, side))) : all;
         }
         return all;
     }
 
-    /** Returns the bounds of its balls at the time of the frame. */
+    /** Returns the bounds of its puffs at the time of the frame. */
     Aabb bounds() {
         return bounds.moved(placed.drift());
     }
@@ -85,8 +85,8 @@ final class Impostor implements GlObject {
         return cloud;
     }
 
-    ImpostorPicture shown() {
-        return shown;
+    ImpostorPicture drawn() {
+        return drawn;
     }
 
     ImpostorPicture coming() {
@@ -94,12 +94,12 @@ final class Impostor implements GlObject {
     }
 
     /**
-     * Begins a new picture if the one that is shown is worn and another one is worth its making.
+     * Begins a new picture if the one that is drawn is worn and another one is worth its making.
      *
      * @param moved the eye's displacement in the last frame
      */
     void prepare(View view, Vec3 moved, Impostors limits) {
-        wear = wear(shown, view, limits);
+        wear = wear(drawn, view, limits);
         if (coming.slabs() != null && wear(coming, view, limits) > WORN) {
             coming.forget();
             pause = PAUSE_FRAMES;
@@ -124,8 +124,8 @@ final class Impostor implements GlObject {
         long texels = slabs.texels();
         makingFrames = Math.ceil((double) texels / Impostors.MOST_TEXELS);
         double drawingFrames = texels / limits.texelsDirectly(slabs, view);
-        for (int ball = 0; ball < slabs.balls().size(); ball++) {
-            if (slabs.texels(ball) > Impostors.MOST_TEXELS) {
+        for (int puff = 0; puff < slabs.puffs().size(); puff++) {
+            if (slabs.texels(puff) > Impostors.MOST_TEXELS) {
                 return false;
             }
         }
@@ -137,17 +137,17 @@ final class Impostor implements GlObject {
         return coming.slabs() == null ? 0 : wear;
     }
 
-    /** Shows the picture that has become complete. */
+    /** Makes the picture that has become complete the one that is drawn. */
     void change() {
-        ImpostorPicture before = shown;
-        shown = coming;
+        ImpostorPicture before = drawn;
+        drawn = coming;
         coming = before;
         coming.forget();
     }
 
-    /** Returns true if a canvas can show the picture in the place of the balls. */
+    /** Returns true if the picture is right enough for a view to take the place of the puffs. */
     boolean serves(View view, Impostors limits) {
-        return shown.slabs() != null && wear(shown, view, limits) <= 1;
+        return drawn.slabs() != null && wear(drawn, view, limits) <= 1;
     }
 
     private double wear(ImpostorPicture picture, View view, Impostors limits) {
@@ -162,7 +162,7 @@ final class Impostor implements GlObject {
 
     @Override
     public void close() {
-        shown.close();
+        drawn.close();
         coming.close();
     }
 }

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.cloud;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.drawn.DrawnCloud;
 import nephele.engine.cloud.drawn.PuffSlabs;
 import nephele.engine.math.Vec3;
@@ -15,19 +16,19 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 
 /**
- * A cloud of balls as seen from an eye, a picture for each slab: premultiplied radiance without air, the share of light that
+ * A cloud of puffs as seen from an eye, a picture for each slab: premultiplied radiance without air, the fraction of light that
  * passes, coverage and distance. Balls can be added over several frames.
  */
 final class ImpostorPicture implements GlObject {
-    /** Share of the time between two samples of clouds after which a picture is old. */
-    private static final double OLD_SHARE = 1 / 8.0;
+    /** Fraction of the time between two samples of clouds after which a picture is old. */
+    private static final double OLD_FRACTION = 1 / 8.0;
     /** A longer time between two frames is a jump. */
     private static final double JUMP_SECONDS = 1;
     /** Wear of a picture whose samples of clouds have been replaced. */
     private static final double REPLACED = 0.75;
-    /** Change of the sun's direction, radians, and of light, as a share, after which a picture is old. */
+    /** Change of the sun's direction, radians, and of light, as a fraction, after which a picture is old. */
     private static final double OLD_LIGHT = 0.01;
-    /** Change of the extinction, as a share, likewise. */
+    /** Change of the extinction, as a fraction, likewise. */
     private static final double OLD_PRESENCE = 0.25;
 
     private final GlContext gl;
@@ -37,10 +38,10 @@ final class ImpostorPicture implements GlObject {
     private int drawn;
     private DrawnCloud from;
     private DrawnCloud to;
-    private double share;
+    private double fraction;
     private double seconds;
     private double presence;
-    private LitCloud.Around around;
+    private OutsideOfCloud around;
 
     ImpostorPicture(GlContext gl) {
         this.gl = gl;
@@ -48,18 +49,18 @@ final class ImpostorPicture implements GlObject {
     }
 
     /** Begins the picture of a cloud, empty. */
-    void begin(PuffSlabs ofBalls, PlacedCloud placed, LitCloud cells) {
-        slabs = ofBalls;
+    void begin(PuffSlabs newSlabs, PlacedCloud placed, LitCloud cells) {
+        slabs = newSlabs;
         drawn = 0;
-        from = cells.shown();
-        to = cells.toCome();
-        share = cells.share();
+        from = cells.earlier();
+        to = cells.later();
+        fraction = cells.fraction();
         seconds = placed.seconds();
         presence = placed.presence();
         around = cells.around();
-        quads.show(slabs.balls(), slabs.eye(), presence);
-        int width = slabs.raster().width();
-        int height = slabs.raster().height();
+        quads.upload(slabs.puffs(), slabs.eye(), presence);
+        int width = slabs.width();
+        int height = slabs.height();
         if (!targets.isEmpty()
                 && (targets.get(0).width() != width || targets.get(0).height() != height)) {
             closeTargets();
@@ -83,10 +84,10 @@ final class ImpostorPicture implements GlObject {
     }
 
     boolean isComplete() {
-        return slabs != null && drawn == slabs.balls().size();
+        return slabs != null && drawn == slabs.puffs().size();
     }
 
-    /** Returns the number of the slab whose balls are drawn next. */
+    /** Returns the number of the slab whose puffs are drawn next. */
     int nextSlab() {
         int slab = 0;
         while (drawn >= slabs.slabs().get(slab).end()) {
@@ -95,7 +96,7 @@ final class ImpostorPicture implements GlObject {
         return slab;
     }
 
-    /** Returns how many of the next balls, all of one slab, fit into so many texels. */
+    /** Returns how many of the next puffs, all of one slab, fit into so many texels. */
     int fitting(long texels) {
         int end = slabs.slabs().get(nextSlab()).end();
         int next = drawn;
@@ -106,18 +107,18 @@ final class ImpostorPicture implements GlObject {
         return next - drawn;
     }
 
-    /** Draws the next balls by the program in use into the bound target; returns the texels. */
+    /** Draws the next puffs by the program in use into the bound target; returns the texels. */
     long draw(int count) {
         quads.draw(drawn, count);
         long texels = 0;
-        for (int ball = drawn; ball < drawn + count; ball++) {
-            texels += slabs.texels(ball);
+        for (int puff = drawn; puff < drawn + count; puff++) {
+            texels += slabs.texels(puff);
         }
         drawn += count;
         return texels;
     }
 
-    /** Directs drawing to the picture of the next balls, which is emptied before its first one. */
+    /** Directs drawing to the picture of the next puffs, which is emptied before its first one. */
     void bindTarget() {
         int slab = nextSlab();
         if (drawn == slabs.slabs().get(slab).first()) {
@@ -134,9 +135,8 @@ final class ImpostorPicture implements GlObject {
 
     /** Returns the view in which it is drawn. */
     View view(PlacedCloud placed) {
-        PuffSlabs.Raster raster = slabs.raster();
-        var projection = new Projection(
-                2 * Math.atan(raster.tanHalfHeight()), raster.width() / (double) raster.height(), 0.1, 1e6);
+        var projection =
+                new Projection(2 * Math.atan(slabs.tanHalfHeight()), slabs.width() / (double) slabs.height(), 0.1, 1e6);
         Vec3 eye = slabs.eye().plus(placed.drift());
         return new View(
                 eye, slabs.axes().right(), slabs.axes().up(), slabs.axes().back(), projection);
@@ -150,7 +150,7 @@ final class ImpostorPicture implements GlObject {
     /**
      * Returns how much is wrong, 1 for as much as may be.
      *
-     * @param eye in the space of the balls
+     * @param eye in the space of the puffs
      * @param toleranceRadians direction by which a part of the cloud may be wrong
      */
     double wear(Vec3 eye, double toleranceRadians, PlacedCloud placed, LitCloud cells) {
@@ -161,15 +161,15 @@ final class ImpostorPicture implements GlObject {
     }
 
     /** Returns how much older a picture is after the change from one frame to the next. */
-    static double ageing(LitCloud cells, DrawnCloud shownBefore, double shareBefore) {
-        return cells.shown() == shownBefore ? Math.abs(cells.share() - shareBefore) / OLD_SHARE : 0;
+    static double ageing(LitCloud cells, DrawnCloud earlierBefore, double fractionBefore) {
+        return cells.earlier() == earlierBefore ? Math.abs(cells.fraction() - fractionBefore) / OLD_FRACTION : 0;
     }
 
     private double age(PlacedCloud placed, LitCloud cells) {
-        if (cells.shown() == from) {
-            return Math.abs(cells.share() - share) / OLD_SHARE;
-        } else if (cells.shown() == to) {
-            return (1 - share + cells.share()) / OLD_SHARE;
+        if (cells.earlier() == from) {
+            return Math.abs(cells.fraction() - fraction) / OLD_FRACTION;
+        } else if (cells.earlier() == to) {
+            return (1 - fraction + cells.fraction()) / OLD_FRACTION;
         }
         return Math.abs(placed.seconds() - seconds) > JUMP_SECONDS ? Double.POSITIVE_INFINITY : REPLACED;
     }

@@ -25,8 +25,8 @@ import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 
 /**
- * The impostors of all clouds of balls. They are made for the eye of the main view, the most wrong ones first and as many
- * texels a frame as {@value #MOST_TEXELS}. A cloud without one that is right is drawn ball by ball.
+ * The impostors of all clouds of puffs. They are made for the eye of the main view, the most wrong ones first and as many
+ * texels a frame as {@value #MOST_TEXELS}. A cloud without one that is right is drawn puff by puff.
  */
 public final class Impostors {
     /** Texels that a frame draws at most for new pictures; puffs that cover each other count each. */
@@ -122,9 +122,9 @@ public final class Impostors {
             all.forEach(Impostor::forget);
             return;
         }
-        Frustum seen = frame.seen();
+        Frustum visible = frame.frustum();
         for (int i = 0; i < all.size(); i++) {
-            if (seen.mayIntersect(all.get(i).bounds())) {
+            if (visible.mayIntersect(all.get(i).bounds())) {
                 all.get(i).prepare(view, moved, this);
             }
         }
@@ -157,7 +157,7 @@ public final class Impostors {
         return most;
     }
 
-    /** Draws the next balls into a picture; returns the texels. */
+    /** Draws the next puffs into a picture; returns the texels. */
     private long draw(Impostor impostor, long most) {
         ImpostorPicture picture = impostor.coming();
         int count = picture.fitting(most);
@@ -169,9 +169,9 @@ public final class Impostors {
         uniforms.upload(from, 1);
         picture.bindTarget();
         gl.state().set(DrawState.Depth.OFF, DrawState.Blend.PREMULTIPLIED_OVER_PASSING, DrawState.Cull.NONE);
-        PuffSlabs.Raster raster = picture.slabs().raster();
         double plane = picture.slabs().slabs().get(slab).middle();
-        var grid = new CloudCanvas.Grid(1, 0, 0, 2.0 / raster.width(), 2.0 / raster.height(), plane, 0);
+        var grid = new CloudCanvas.Grid(
+                1, 0, 0, 2.0 / picture.slabs().width(), 2.0 / picture.slabs().height(), plane, 0);
         canvas.begin(CloudPixels.CAPTURED, from, levelClouds.current().focus(), grid);
         impostor.cloud().use(canvas);
         long texels = picture.draw(count);
@@ -181,7 +181,7 @@ public final class Impostors {
         return texels;
     }
 
-    /** Draws a cloud from its picture if it is in sight; returns false if its balls must be drawn. */
+    /** Draws a cloud from its picture if it is in sight; returns false if its puffs must be drawn. */
     boolean draw(Impostor impostor, CloudCanvas onto) {
         View view = onto.view();
         Aabb bounds = impostor.bounds();
@@ -204,7 +204,7 @@ public final class Impostors {
     private void drawSlabs(Impostor impostor, CloudCanvas onto) {
         QuadUniforms numbers = programs.use(onto.pixels());
         onto.put(numbers.cloud, impostor.placed());
-        ImpostorPicture picture = impostor.shown();
+        ImpostorPicture picture = impostor.drawn();
         PuffSlabs slabs = picture.slabs();
         Basis axes = slabs.axes();
         Vec3 moved = onto.view().eye().minus(impostor.placed().drift()).minus(slabs.eye());
@@ -216,8 +216,8 @@ public final class Impostors {
             PuffSlabs.Slab slab = slabs.slabs().get(i);
             numbers.slab.set(
                     slab.middle(),
-                    0.5 / slabs.raster().tanHalfWidth(),
-                    0.5 / slabs.raster().tanHalfHeight(),
+                    0.5 / slabs.tanHalfWidth(),
+                    0.5 / slabs.tanHalfHeight(),
                     picture.presence(impostor.placed()));
             place(numbers, slabs, slab, moved, onto.margin());
             picture.bindTextures(i);
@@ -262,7 +262,7 @@ public final class Impostors {
     double texelsDirectly(PuffSlabs slabs, View view) {
         double finest = side * divisor * pixel(view);
         double sum = 0;
-        for (Puff puff : slabs.balls()) {
+        for (Puff puff : slabs.puffs()) {
             double width =
                     2 * puff.radiusMetres() / (puff.centre().minus(slabs.eye()).length() * finest);
             sum += width * width;

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import nephele.engine.cloud.DeltaScaling;
 import nephele.engine.cloud.cells.CellBox;
+import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
 import nephele.engine.cloud.cells.CellStack;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.cloud.drawn.CloudSource;
@@ -48,32 +49,11 @@ public final class LitCloud {
     private CellStack densityTo;
 
     private Environment followed;
-    private Around around;
-    private DrawnCloud shown;
-    private DrawnCloud toCome;
-    private double share;
+    private OutsideOfCloud around;
+    private DrawnCloud earlier;
+    private DrawnCloud later;
+    private double fraction;
     private double groundFraction;
-
-    /**
-     * The light around a cloud.
-     *
-     * @param irradiance of the sun
-     * @param above mean radiance of the upper half of the sky; {@code below} of the lower one
-     */
-    record Around(Vec3 towardsSun, Vec3 irradiance, Vec3 above, Vec3 below) {
-        /** Returns the greatest difference: radians of the sun's direction, and shares of all light. */
-        double difference(Around other) {
-            if (other == this) {
-                return 0;
-            }
-            double turn = Math.atan2(towardsSun.cross(other.towardsSun).length(), towardsSun.dot(other.towardsSun));
-            double light = irradiance.length() + above.length() + below.length();
-            double changed = irradiance.minus(other.irradiance).length()
-                    + above.minus(other.above).length()
-                    + below.minus(other.below).length();
-            return Math.max(turn, changed / Math.max(1e-12, light));
-        }
-    }
 
     public LitCloud(LoadContext context, PlacedCloud placed) {
         ambient = context.get(AmbientLight.RESOURCE);
@@ -109,11 +89,11 @@ public final class LitCloud {
 
     /** Takes its cells and the light around it at the time of the frame. */
     public void follow(Environment environment, CloudInterval now) {
-        shown = now.from().clouds().all().get(placed.index());
-        toCome = now.to().clouds().all().get(placed.index());
-        share = now.share();
-        groundFraction = now.groundShare();
-        upload(shown.cells(), toCome.cells());
+        earlier = now.from().clouds().get(placed.index());
+        later = now.to().clouds().get(placed.index());
+        fraction = now.fraction();
+        groundFraction = now.groundFraction();
+        upload(earlier.cells(), later.cells());
         follow(environment);
     }
 
@@ -174,7 +154,7 @@ public final class LitCloud {
         Aabb extent = cloud.bounds();
         Sun sun = Daylight.atHeight(now, (extent.minY() + extent.maxY()) / 2);
         SkyIrradiance sky = ambient.clearIrradiance(now);
-        around = new Around(
+        around = new OutsideOfCloud(
                 CloudTimeline.towardsSun(now),
                 sun == null ? Vec3.ZERO : sun.irradiance(),
                 Vec3.of(sky.ambient(0, 1, 0)),
@@ -182,23 +162,23 @@ public final class LitCloud {
     }
 
     /** Returns the light around it at the time of the frame. */
-    Around around() {
+    OutsideOfCloud around() {
         return around;
     }
 
     /** Returns the cloud at the earlier of the two sampled times. */
-    public DrawnCloud shown() {
-        return shown;
+    public DrawnCloud earlier() {
+        return earlier;
     }
 
     /** Returns the cloud at the later one. */
-    public DrawnCloud toCome() {
-        return toCome;
+    public DrawnCloud later() {
+        return later;
     }
 
-    /** Returns the share of the later one, 0 to 1. */
-    public double share() {
-        return share;
+    /** Returns the fraction of the time between them that has passed, 0 to 1. */
+    public double fraction() {
+        return fraction;
     }
 
     /**
@@ -216,7 +196,7 @@ public final class LitCloud {
         DeltaScaling scaled = physics.medium();
         uniforms.medium()
                 .set(
-                        placed.presence() * shown.fullPerMetre(),
+                        placed.presence() * earlier.cells().wholePerMetre(),
                         scaled.depthFactor(),
                         physics.optics().albedo(),
                         scaled.albedo());
@@ -226,11 +206,11 @@ public final class LitCloud {
                         1 / physics.smallAngles().deepest(),
                         cloud.halfCurvature(),
                         physics.optics().meanCosine());
-        uniforms.cloudSun().set(around.towardsSun);
-        uniforms.diffuseAxis().set(shown.cells().diffuseAxis(around.towardsSun), physics.slopeOfBeam());
-        uniforms.irradiance().set(around.irradiance);
-        uniforms.skyAbove().set(around.above);
-        uniforms.skyBelow().setScaled(around.below, groundFraction);
+        uniforms.cloudSun().set(around.towardsSun());
+        uniforms.diffuseAxis().set(earlier.cells().diffuseAxis(around.towardsSun()), physics.slopeOfBeam());
+        uniforms.irradiance().set(around.irradiance());
+        uniforms.skyAbove().set(around.above());
+        uniforms.skyBelow().setScaled(around.below(), groundFraction);
     }
 
     /** Returns the least optical depth from the place where a view begins, the eye or the exit in front of it, to the outside. */
@@ -238,15 +218,15 @@ public final class LitCloud {
         Plane exit = view.clip();
         Vec3 begin = exit == null ? view.eye() : exit.nearest(view.eye());
         Vec3 place = begin.minus(placed.drift());
-        double before = shown.cells().leastDepth(place);
-        double after = share == 0 ? before : toCome.cells().leastDepth(place);
-        return placed.presence() * (before + share * (after - before));
+        double before = earlier.cells().leastDepth(place);
+        double after = fraction == 0 ? before : later.cells().leastDepth(place);
+        return placed.presence() * (before + fraction * (after - before));
     }
 
     /** Returns the longest path through the cloud; of a layer, which has no end, the greatest float. */
     public double longestPathMetres() {
-        Aabb box = shown.cells().narrowest().box();
-        return shown.cells().isLayer()
+        Aabb box = earlier.cells().narrowest().box();
+        return earlier.cells().isLayer()
                 ? Float.MAX_VALUE
                 : new Vec3(box.maxX(), box.maxY(), box.maxZ())
                         .minus(new Vec3(box.minX(), box.minY(), box.minZ()))
@@ -254,13 +234,13 @@ public final class LitCloud {
     }
 
     private void put(CloudUniforms.Boxes uniforms, Vec3 eye, Vec3 focus) {
-        CellStack cells = shown.cells();
+        CellStack cells = earlier.cells();
         for (int level = 0; level < cells.levels(); level++) {
             uniforms.put(level, cells.density().get(level).cells().box(), eye);
         }
         CellBox narrowest = cells.narrowest();
         Aabb box = narrowest.box();
-        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), share);
+        uniforms.cells().set(narrowest.ny(), cells.light().get(0).cells().ny(), cells.levels(), fraction);
         if (cells.isLayer()) {
             uniforms.put(box, eye, focus, cells.reachMetres(), cells.reachMetres());
         } else {

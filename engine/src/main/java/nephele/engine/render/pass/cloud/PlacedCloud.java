@@ -28,7 +28,7 @@ public final class PlacedCloud {
     public void follow(CloudInterval now) {
         seconds = now.seconds();
         drift = source.drift(seconds);
-        presence = source.share(seconds);
+        presence = source.presence(seconds);
     }
 
     public CloudSource source() {
@@ -54,8 +54,8 @@ public final class PlacedCloud {
     }
 
     /** Sets the fraction of its optical depth that is drawn, while another technique draws the rest. */
-    void fractionDrawn(double share) {
-        fractionDrawn = share;
+    void fractionDrawn(double fraction) {
+        fractionDrawn = fraction;
     }
 
     /** Returns the fraction of its optical depth that is drawn, 0 to 1. */

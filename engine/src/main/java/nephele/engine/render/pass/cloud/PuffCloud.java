@@ -61,15 +61,15 @@ public final class PuffCloud implements CloudDrawing {
     @Override
     public void follow(Environment environment, CloudInterval interval) {
         cells.follow(environment, interval);
-        boolean isSame = cells.shown() == sampledFrom && cells.toCome() == sampledTo;
+        boolean isSame = cells.earlier() == sampledFrom && cells.later() == sampledTo;
         if (!isSame) {
-            from = cells.shown() == sampledTo ? to : CloudPuffs.of(cells.shown());
-            to = cells.toCome() == cells.shown() ? from : CloudPuffs.of(cells.toCome());
-            sampledFrom = cells.shown();
-            sampledTo = cells.toCome();
+            from = cells.earlier() == sampledTo ? to : CloudPuffs.of(cells.earlier());
+            to = cells.later() == cells.earlier() ? from : CloudPuffs.of(cells.later());
+            sampledFrom = cells.earlier();
+            sampledTo = cells.later();
         }
-        if (!isSame || cells.share() != fraction) {
-            fraction = cells.share();
+        if (!isSame || cells.fraction() != fraction) {
+            fraction = cells.fraction();
             now = null;
         }
         if (impostor != null) {
@@ -99,7 +99,7 @@ public final class PuffCloud implements CloudDrawing {
             return;
         }
         use(canvas);
-        quads.show(puffs(), canvas.view().eye().minus(placed.drift()), placed.presence());
+        quads.upload(puffs(), canvas.view().eye().minus(placed.drift()), placed.presence());
         quads.draw();
     }
 
@@ -113,7 +113,7 @@ public final class PuffCloud implements CloudDrawing {
             uniforms.stepping.set(1, 0.5, canvas.view().eyeY(), cells.depthAround(canvas.view()));
         } else {
             CloudOptics optics = beam.optics();
-            uniforms.beamLobes.set(optics.g(), optics.backG(), optics.backShare(), beam.fading());
+            uniforms.beamLobes.set(optics.g(), optics.backG(), optics.backFraction(), beam.fading());
         }
     }
 }

@@ -10,17 +10,17 @@ import nephele.engine.render.gl.QuadStream;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 
-/** A cloud's balls as quads, the farthest first; balls at equal distances keep their order. */
+/** A cloud's puffs as quads, the farthest first; puffs at equal distances keep their order. */
 public final class PuffQuads implements GlObject {
-    /** Floats of a vertex: the ball's centre relative to the eye and its deviation; extinction in its centre, and the corner. */
+    /** Floats of a vertex: the puff's centre relative to the eye and its deviation; extinction in its centre, and the corner. */
     private static final int FLOATS = 8;
 
     private static final int CORNERS = 4;
 
     private final QuadStream quads;
-    private CloudPuffs shown;
-    private Vec3 eyeShown;
-    private double factorShown;
+    private CloudPuffs uploaded;
+    private Vec3 uploadedEye;
+    private double uploadedFactor;
     private float[] vertices = new float[0];
     private long[] order = new long[0];
 
@@ -29,18 +29,18 @@ public final class PuffQuads implements GlObject {
     }
 
     /**
-     * Shows balls from an eye.
+     * Uploads puffs as quads for an eye.
      *
-     * @param eye in the space of the balls
+     * @param eye in the space of the puffs
      * @param factor on their extinction
      */
-    public void show(CloudPuffs puffs, Vec3 eye, double factor) {
-        if (puffs == shown && eye.equals(eyeShown) && factor == factorShown) {
+    public void upload(CloudPuffs puffs, Vec3 eye, double factor) {
+        if (puffs == uploaded && eye.equals(uploadedEye) && factor == uploadedFactor) {
             return;
         }
-        shown = puffs;
-        eyeShown = eye;
-        factorShown = factor;
+        uploaded = puffs;
+        uploadedEye = eye;
+        uploadedFactor = factor;
         List<CloudPuffs.Puff> all = puffs.all();
         if (order.length != all.size()) {
             order = new long[all.size()];
@@ -57,9 +57,9 @@ public final class PuffQuads implements GlObject {
         quads.upload(vertices, FLOATS * CORNERS * order.length, order.length);
     }
 
-    /** Shows balls in the order of a list. */
-    public void show(List<CloudPuffs.Puff> inOrder, Vec3 eye, double factor) {
-        shown = null;
+    /** Uploads puffs in the order of a list. */
+    public void upload(List<CloudPuffs.Puff> inOrder, Vec3 eye, double factor) {
+        uploaded = null;
         makeRoom(inOrder.size());
         for (int place = 0; place < inOrder.size(); place++) {
             put(place, inOrder.get(place), eye, factor);
@@ -67,9 +67,9 @@ public final class PuffQuads implements GlObject {
         quads.upload(vertices, FLOATS * CORNERS * inOrder.size(), inOrder.size());
     }
 
-    private void makeRoom(int balls) {
-        if (vertices.length < FLOATS * CORNERS * balls) {
-            vertices = new float[FLOATS * CORNERS * balls];
+    private void makeRoom(int puffs) {
+        if (vertices.length < FLOATS * CORNERS * puffs) {
+            vertices = new float[FLOATS * CORNERS * puffs];
         }
     }
 
@@ -91,7 +91,7 @@ public final class PuffQuads implements GlObject {
         quads.draw();
     }
 
-    /** Draws some of the balls. */
+    /** Draws some of the puffs. */
     void draw(int first, int count) {
         quads.draw(first, count);
     }

@@ -137,8 +137,8 @@ public final class ExposurePass implements Pass {
                 .set(
                         (float) wanted.stopsOr(AutoExposure.LEAST_STOPS),
                         (float) wanted.stopsOr(AutoExposure.MOST_STOPS),
-                        (float) AutoExposure.share(AutoExposure.BRIGHTENING_PER_SECOND, seconds),
-                        (float) AutoExposure.share(AutoExposure.DARKENING_PER_SECOND, seconds));
+                        (float) AutoExposure.approach(AutoExposure.BRIGHTENING_PER_SECOND, seconds),
+                        (float) AutoExposure.approach(AutoExposure.DARKENING_PER_SECOND, seconds));
         adapt.uniforms().hasHistory().set(wanted.isAuto() && exposure.hasHistory() ? 1 : 0);
         exposure.next().bind();
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);

@@ -53,11 +53,11 @@ public final class ImpostorPass implements Pass {
         light = context.get(SurfaceLight.RESOURCE);
         double pixels = context.quality().impostorPixels();
         plants = PlantedScene.of(context);
-        choice = context.own(new PlantChoice(gl, plants, new PlantSizes(pixels)));
+        choice = context.own(new PlantChoice(gl, plants, pixels));
         impostorBlend = context.quality().samples() > 1 ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
-        impostor = pixels == 0 ? null : new PlantProgram(context, PlantProgram.Kind.IMPOSTOR);
-        PlantProgram bare = programFor(context, PlantProgram.Kind.BARE_MESH, false);
-        PlantProgram textured = programFor(context, PlantProgram.Kind.TEXTURED_MESH, true);
+        impostor = pixels == 0 ? null : PlantProgram.ofImpostors(context);
+        PlantProgram bare = ofMeshes(context, false);
+        PlantProgram textured = ofMeshes(context, true);
         programOfKind = plants.meshes().stream()
                 .map(mesh -> isTextured(mesh) ? textured : bare)
                 .toList();
@@ -70,9 +70,9 @@ public final class ImpostorPass implements Pass {
     }
 
     /** Returns {@code null} if no kind needs it. */
-    private PlantProgram programFor(LoadContext context, PlantProgram.Kind kind, boolean isForTextures) {
-        return plants.meshes().stream().anyMatch(mesh -> isTextured(mesh) == isForTextures)
-                ? new PlantProgram(context, kind)
+    private PlantProgram ofMeshes(LoadContext context, boolean areTextured) {
+        return plants.meshes().stream().anyMatch(mesh -> isTextured(mesh) == areTextured)
+                ? PlantProgram.ofMeshes(context, areTextured)
                 : null;
     }
 
@@ -101,7 +101,7 @@ public final class ImpostorPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         double pixelsPerRadian = pixelsPerRadian(frame);
-        choice.find(frame.view(), frame.seen(), pixelsPerRadian);
+        choice.find(frame.view(), frame.frustum(), pixelsPerRadian);
         frame.surface().bind();
         light.bind(reads);
         plants.bind();

@@ -17,19 +17,32 @@ import nephele.engine.scene.View;
  * of their plants; clusters in which some plants are large enough for meshes are looked through.
  */
 final class PlantChoice implements GlObject {
+    /** As {@code PLANT_FADE} in {@code plant-fade.glsl}. */
+    private static final double FADE = 1.2;
+
+    /** More than floats err. */
+    private static final double MARGIN = 1e-4;
+
+    /** As {@code PLANT_THIN} and {@code PLANT_SHRINK} in {@code plant-fade.glsl}. */
+    private static final double THIN_PIXELS = 8;
+
+    private static final double SHRINK = 0.25;
+
     private final PlantedScene scene;
-    private final PlantSizes sizes;
+    /** Below so many pixels only impostors are drawn; 0 for meshes alone. */
+    private final double impostorPixels;
+
     private final BillboardList impostors;
     private final List<PlantList> meshes = new ArrayList<>();
     private final long[] order;
-    private int seen;
+    private int visible;
     private float eyeX;
     private float eyeY;
     private float eyeZ;
 
-    PlantChoice(GlContext gl, PlantedScene scene, PlantSizes sizes) {
+    PlantChoice(GlContext gl, PlantedScene scene, double impostorPixels) {
         this.scene = scene;
-        this.sizes = sizes;
+        this.impostorPixels = impostorPixels;
         impostors = new BillboardList(gl, 1);
         scene.meshes().forEach(mesh -> meshes.add(new PlantList(gl)));
         order = new long[scene.clusters().size()];
@@ -43,46 +56,62 @@ final class PlantChoice implements GlObject {
         eyeY = (float) (view.eyeY() - scene.anchor().y());
         eyeZ = (float) (view.eyeZ() - scene.anchor().z());
         sort(view, limits);
-        for (int i = 0; i < seen; i++) {
+        for (int i = 0; i < visible; i++) {
             add(scene.clusters().get((int) order[i]), view, pixelsPerRadian);
         }
     }
 
     private void sort(View view, Frustum limits) {
-        seen = 0;
+        visible = 0;
         List<Cluster> clusters = scene.clusters();
         for (int i = 0; i < clusters.size(); i++) {
             if (limits.mayIntersect(clusters.get(i).bounds())) {
                 float distance = (float) clusters.get(i).bounds().nearest(view.eyeX(), view.eyeY(), view.eyeZ());
-                order[seen++] = (long) Float.floatToIntBits(distance) << 32 | i;
+                order[visible++] = (long) Float.floatToIntBits(distance) << 32 | i;
             }
         }
-        Arrays.sort(order, 0, seen);
+        Arrays.sort(order, 0, visible);
     }
 
     private void add(Cluster cluster, View view, double pixelsPerRadian) {
         double near = cluster.bounds().nearest(view.eyeX(), view.eyeY(), view.eyeZ());
         double far = cluster.bounds().farthest(view.eyeX(), view.eyeY(), view.eyeZ());
-        if (sizes.isImpostor(cluster.most() * pixelsPerRadian / near)) {
-            int drawn = PlantSizes.drawn(cluster.end() - cluster.first(), cluster.most() * pixelsPerRadian / near);
+        if (isImpostor(cluster.most() * pixelsPerRadian / near)) {
+            int drawn = drawn(cluster.end() - cluster.first(), cluster.most() * pixelsPerRadian / near);
             for (int plant = cluster.first(); plant < cluster.first() + drawn; plant++) {
                 impostors.add(plant);
             }
-        } else if (sizes.isMesh(cluster.least() * pixelsPerRadian / far)) {
+        } else if (isMesh(cluster.least() * pixelsPerRadian / far)) {
             for (int plant = cluster.first(); plant < cluster.end(); plant++) {
                 meshes.get(scene.kind(plant)).add(plant);
             }
         } else {
             for (int plant = cluster.first(); plant < cluster.end(); plant++) {
                 double pixels = scene.size(plant) * pixelsPerRadian / distance(plant);
-                if (!sizes.isMesh(pixels)) {
+                if (!isMesh(pixels)) {
                     impostors.add(plant);
                 }
-                if (!sizes.isImpostor(pixels)) {
+                if (!isImpostor(pixels)) {
                     meshes.get(scene.kind(plant)).add(plant);
                 }
             }
         }
+    }
+
+    /** Returns how many of a cluster's plants are drawn, the first ones. @param mostPixels of the largest */
+    private static int drawn(int plants, double mostPixels) {
+        double fraction = (1 + SHRINK / 2) * Math.min(1, mostPixels / THIN_PIXELS) + SHRINK / 2;
+        return (int) Math.min(plants, Math.ceil(plants * fraction));
+    }
+
+    /** Returns true if all plants of up to a size have impostors alone. */
+    private boolean isImpostor(double mostPixels) {
+        return mostPixels < impostorPixels * (1 - MARGIN);
+    }
+
+    /** Returns true if all plants from a size on are meshes alone. */
+    private boolean isMesh(double leastPixels) {
+        return leastPixels > FADE * impostorPixels * (1 + MARGIN);
     }
 
     private double distance(int plant) {

@@ -7,8 +7,8 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
+import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MeteredExposure;
-import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.View;
@@ -20,31 +20,24 @@ final class PlantProgram {
     /** Sharper than one texel a pixel: the blend of three views blurs. */
     private static final double LOD_BIAS = -0.5;
 
-    /** What a program draws. */
-    enum Kind {
-        IMPOSTOR("impostor"),
-        BARE_MESH("plant"),
-        TEXTURED_MESH("plant");
-
-        private final String file;
-
-        Kind(String file) {
-            this.file = file;
-        }
-    }
-
     private record Numbers(
-            Uniforms.Vector3 eyeHigh,
-            Uniforms.Vector3 eyeLow,
+            EyeUniforms eye,
             @IfRead Uniforms.Scalar pixelsPerRadian,
             @IfRead Uniforms.Vector4 baseColour,
             @IfRead Uniforms.Scalar pictureLayer) {}
 
     private final GlProgram<Numbers> program;
     private final Vec3 anchor;
-    private final float[] eye = new float[6];
 
-    PlantProgram(LoadContext context, Kind kind) {
+    static PlantProgram ofImpostors(LoadContext context) {
+        return new PlantProgram(context, "impostor", false);
+    }
+
+    static PlantProgram ofMeshes(LoadContext context, boolean areTextured) {
+        return new PlantProgram(context, "plant", areTextured);
+    }
+
+    private PlantProgram(LoadContext context, String file, boolean isTextured) {
         SurfaceLight light = context.get(SurfaceLight.RESOURCE);
         anchor = light.anchor();
         MeteredExposure.readInViews(context);
@@ -56,17 +49,14 @@ final class PlantProgram {
                 .with("VIEW_TEXELS", (double) ImpostorAtlas.texelsFor(pixels))
                 .with("LOD_BIAS", LOD_BIAS)
                 .withIf(pixels == 0, "ALWAYS_MESHES")
-                .withIf(kind == Kind.TEXTURED_MESH, "TEXTURED")
+                .withIf(isTextured, "TEXTURED")
                 .values();
-        program = GlProgram.of(
-                context.gl(), FOLDER + kind.file + ".vert", FOLDER + kind.file + ".frag", defines, Numbers.class);
+        program = GlProgram.of(context.gl(), FOLDER + file + ".vert", FOLDER + file + ".frag", defines, Numbers.class);
     }
 
     void use(View view, double pixelsPerRadian) {
         program.use();
-        SolidMesh.eyeInCell(view, anchor, eye);
-        program.uniforms().eyeHigh().set(eye[0], eye[1], eye[2]);
-        program.uniforms().eyeLow().set(eye[3], eye[4], eye[5]);
+        program.uniforms().eye().set(view, anchor);
         program.uniforms().pixelsPerRadian().set(pixelsPerRadian);
     }
 

@@ -54,7 +54,7 @@ public final class LightningPass implements Pass {
     private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
 
     /** Share of a bolt's light that comes from the channel itself; clouds around it scatter most of the rest. */
-    private static final double SEEN_SHARE = 0.1;
+    private static final double CHANNEL_FRACTION = 0.1;
 
     /** Points of the main channel from one to the next where it is spread widely. */
     private static final int COARSE = 8;
@@ -64,7 +64,7 @@ public final class LightningPass implements Pass {
      *
      * @param radius over which it is spread, as a share of the picture's height; 0 for that of the channel
      */
-    private record Spread(double share, double radius) {}
+    private record Spread(double weight, double radius) {}
 
     private static final Spread CHANNEL = new Spread(0.9, 0);
     private static final Spread[] GLARE = {new Spread(0.06, 0.011), new Spread(0.04, 0.05)};
@@ -156,7 +156,8 @@ public final class LightningPass implements Pass {
         Places places = program.uniforms();
         Vec3 from = bolt.origin().minus(view.eye());
         places.boltFromEye.set((float) from.x(), (float) from.y(), (float) from.z());
-        Vec3 perMetre = lightning.lightning().radiantIntensity().scaled(SEEN_SHARE / Math.max(1, bolt.lengthMetres()));
+        Vec3 perMetre =
+                lightning.lightning().radiantIntensity().scaled(CHANNEL_FRACTION / Math.max(1, bolt.lengthMetres()));
         places.intensityPerMetre.set((float) perMetre.x(), (float) perMetre.y(), (float) perMetre.z());
         places.halfPicture.set(frame.surface().width() / 2f, frame.surface().height() / 2f);
         double pixel = 2 * view.projection().tanHalfHeight() / frame.surface().height();
@@ -165,7 +166,7 @@ public final class LightningPass implements Pass {
 
     private void draw(FrameContext frame, Spread spread, int step, int segments) {
         int height = frame.surface().height();
-        program.uniforms().spreading.set((float) spread.share, (float) (spread.radius * height), step);
+        program.uniforms().spreading.set((float) spread.weight, (float) (spread.radius * height), step);
         quads.drawInstanced(0, TRIANGLES.length * segments, 1);
     }
 }

@@ -82,7 +82,7 @@ public final class MuzzleLightPass implements Pass {
     @Override
     public boolean needsCopies(FrameContext frame) {
         MuzzleLight muzzle = frame.frameState().muzzleLight();
-        return muzzle != null && frame.seen().mayIntersect(muzzle.bounds());
+        return muzzle != null && frame.frustum().mayIntersect(muzzle.bounds());
     }
 
     @Override

@@ -5,11 +5,11 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The letters as one signed distance field: 128 on the edge of the pen's line, rising inside, one step for 1/{@link
+ * The letters as one signed distance field, drawn at the first text, so that a game without an overlay has none. It is 128 on the edge of the pen's line, rising inside, one step for 1/{@link
  * #STEPS_PER_TEXEL} texel. The distance to a polyline is computed exactly, without a search. One field serves every
  * size (Green 2007, "Improved Alpha-Tested Magnification").
  */
-final class FontAtlas {
+public final class FontAtlas {
     static final int WIDTH_TEXELS = 768;
     static final double TEXELS_PER_EM = 56;
     static final int STEPS_PER_TEXEL = 24;
@@ -24,39 +24,60 @@ final class FontAtlas {
     private static final double HIGHEST_HUNDREDTHS = 100;
 
     private final Map<Integer, Cell> cells = new HashMap<>();
+    /** {@code null} before the first text. */
     private byte[] texels;
+
     private int height;
 
     /** The place of a letter in the atlas, and the advance of the pen; the origin is the pen on the baseline. */
     record Cell(int x, int y, int width, int height, double advanceEm) {}
 
-    private FontAtlas() {}
+    /** Creates an atlas without letters. */
+    public FontAtlas() {}
 
-    static FontAtlas bake(StrokeFont font) {
+    static FontAtlas of(StrokeFont font) {
         var atlas = new FontAtlas();
-        atlas.layOut(font);
-        atlas.texels = new byte[WIDTH_TEXELS * atlas.height];
-        for (int row = 0; row < SOLID_TEXELS; row++) {
-            Arrays.fill(atlas.texels, row * WIDTH_TEXELS, row * WIDTH_TEXELS + SOLID_TEXELS, (byte) 255);
-        }
-        for (var glyph : font.glyphs()) {
-            atlas.draw(glyph, atlas.cells.get(glyph.codePoint()));
-        }
+        atlas.draw(font);
         return atlas;
     }
 
+    private void drawOnce() {
+        if (texels == null) {
+            draw(StrokeFont.load());
+        }
+    }
+
+    private void draw(StrokeFont font) {
+        layOut(font);
+        texels = new byte[WIDTH_TEXELS * height];
+        for (int row = 0; row < SOLID_TEXELS; row++) {
+            Arrays.fill(texels, row * WIDTH_TEXELS, row * WIDTH_TEXELS + SOLID_TEXELS, (byte) 255);
+        }
+        for (var glyph : font.glyphs()) {
+            draw(glyph, cells.get(glyph.codePoint()));
+        }
+    }
+
     int height() {
+        drawOnce();
         return height;
     }
 
     byte[] texels() {
+        drawOnce();
         return texels;
     }
 
     /** Returns the letter's cell, or the question mark's for letters that the font lacks. */
     Cell cell(int codePoint) {
+        drawOnce();
         var cell = cells.get(codePoint);
         return cell != null ? cell : cells.get((int) '?');
+    }
+
+    /** Returns the advance of a letter. */
+    double advanceEm(int codePoint) {
+        return codePoint == ' ' ? StrokeFont.SPACE_EM : cell(codePoint).advanceEm();
     }
 
     /** Returns the texels from a cell's bottom edge to the baseline. */

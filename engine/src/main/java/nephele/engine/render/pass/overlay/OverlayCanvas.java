@@ -2,6 +2,7 @@ package nephele.engine.render.pass.overlay;
 
 import java.util.Arrays;
 import nephele.engine.asset.Picture;
+import nephele.engine.render.gl.DisplayColour;
 
 /**
  * The overlay of a picture, as quads. Lengths are points from the upper left corner; a point is one pixel at scale 1
@@ -14,9 +15,9 @@ public final class OverlayCanvas {
     static final int VERTICES_PER_QUAD = 4;
 
     /** The colour of a picture's corners: the shader samples the picture where alpha is negative. */
-    private static final OverlayColour PICTURE = new OverlayColour(1, 1, 1, -1);
+    private static final DisplayColour PICTURE = new DisplayColour(1, 1, 1, -1);
 
-    private final Lettering lettering;
+    private final FontAtlas letters;
     private float[] vertices = new float[64 * VERTICES_PER_QUAD * FLOATS_PER_VERTEX];
     private int length;
     private double scale = 1;
@@ -24,8 +25,8 @@ public final class OverlayCanvas {
     private Picture picture;
 
     /** Creates an empty canvas. */
-    public OverlayCanvas(Lettering lettering) {
-        this.lettering = lettering;
+    public OverlayCanvas(FontAtlas letters) {
+        this.letters = letters;
     }
 
     /** Empties the canvas. */
@@ -41,7 +42,7 @@ public final class OverlayCanvas {
     }
 
     /** Adds a filled rectangle. */
-    public void rectangle(double x, double y, double width, double height, OverlayColour colour) {
+    public void rectangle(double x, double y, double width, double height, DisplayColour colour) {
         double solid = FontAtlas.SOLID_TEXELS / 2.0;
         corner(x * scale, y * scale, solid, solid, colour);
         corner((x + width) * scale, y * scale, solid, solid, colour);
@@ -50,12 +51,12 @@ public final class OverlayCanvas {
     }
 
     /** Adds a picture of display-referred colours; a canvas has one at most. */
-    public void picture(double x, double y, double width, double height, Picture shown) {
-        picture = shown;
+    public void picture(double x, double y, double width, double height, Picture newPicture) {
+        picture = newPicture;
         corner(x * scale, y * scale, 0, 0, PICTURE);
-        corner((x + width) * scale, y * scale, shown.width(), 0, PICTURE);
-        corner((x + width) * scale, (y + height) * scale, shown.width(), shown.height(), PICTURE);
-        corner(x * scale, (y + height) * scale, 0, shown.height(), PICTURE);
+        corner((x + width) * scale, y * scale, newPicture.width(), 0, PICTURE);
+        corner((x + width) * scale, (y + height) * scale, newPicture.width(), newPicture.height(), PICTURE);
+        corner(x * scale, (y + height) * scale, 0, newPicture.height(), PICTURE);
     }
 
     /** Returns the canvas's picture; {@code null} for none. */
@@ -69,23 +70,23 @@ public final class OverlayCanvas {
      * @param em size of the letters in points; capitals are 0.7 em high
      * @return x of the next letter
      */
-    public double text(double x, double baseline, double em, OverlayColour colour, String line) {
+    public double text(double x, double baseline, double em, DisplayColour colour, String line) {
         double texelPixels = em * scale / FontAtlas.TEXELS_PER_EM;
         double pen = x * scale;
         double baselinePixels = Math.rint(baseline * scale);
         for (int i = 0; i < line.length(); i += Character.charCount(line.codePointAt(i))) {
             int codePoint = line.codePointAt(i);
             if (codePoint != ' ') {
-                letter(lettering.cell(codePoint), new double[] {pen, baselinePixels, texelPixels}, colour);
+                letter(letters.cell(codePoint), new double[] {pen, baselinePixels, texelPixels}, colour);
             }
-            pen += lettering.advanceEm(codePoint) * em * scale;
+            pen += letters.advanceEm(codePoint) * em * scale;
         }
         return pen / scale;
     }
 
     /** Returns the width of a line of text in points. */
     public double width(double em, String line) {
-        return line.codePoints().mapToDouble(lettering::advanceEm).sum() * em;
+        return line.codePoints().mapToDouble(letters::advanceEm).sum() * em;
     }
 
     float[] vertices() {
@@ -105,7 +106,7 @@ public final class OverlayCanvas {
         return version;
     }
 
-    private void letter(FontAtlas.Cell cell, double[] penBaselineTexel, OverlayColour colour) {
+    private void letter(FontAtlas.Cell cell, double[] penBaselineTexel, DisplayColour colour) {
         double texel = penBaselineTexel[2];
         double left = penBaselineTexel[0] - FontAtlas.originTexels() * texel;
         double bottom = penBaselineTexel[1] + FontAtlas.baselineTexels() * texel;
@@ -117,7 +118,7 @@ public final class OverlayCanvas {
         corner(left, bottom, cell.x(), cell.y(), colour);
     }
 
-    private void corner(double x, double y, double u, double v, OverlayColour colour) {
+    private void corner(double x, double y, double u, double v, DisplayColour colour) {
         if (length == vertices.length) {
             vertices = Arrays.copyOf(vertices, 2 * length);
         }

@@ -29,19 +29,19 @@ public final class OverlayPass implements AutoCloseable {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4);
 
     private final GlContext gl;
-    private final Lettering lettering;
+    private final FontAtlas atlas;
     private GlProgram<Uniforms.Vector4> program;
     private Texture letters;
-    private Texture shown;
-    private Picture shownPicture;
+    private Texture pictureTexture;
+    private Picture uploadedPicture;
     private QuadStream quads;
     private OverlayCanvas uploaded;
     private long uploadedVersion;
 
     /** Creates the pass; its OpenGL objects follow with the first draw. */
-    public OverlayPass(GlContext gl, Lettering lettering) {
+    public OverlayPass(GlContext gl, FontAtlas atlas) {
         this.gl = gl;
-        this.lettering = lettering;
+        this.atlas = atlas;
     }
 
     /** Draws nothing for an empty canvas. */
@@ -53,7 +53,7 @@ public final class OverlayPass implements AutoCloseable {
             build();
         }
         if (canvas != uploaded || canvas.version() != uploadedVersion) {
-            show(canvas.picture());
+            upload(canvas.picture());
             quads.upload(canvas.vertices(), canvas.length(), canvas.quads());
             uploaded = canvas;
             uploadedVersion = canvas.version();
@@ -61,22 +61,22 @@ public final class OverlayPass implements AutoCloseable {
         picture.bind();
         gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
         letters.bind(TextureUnit.COLOURS);
-        (shown == null ? letters : shown).bind(TextureUnit.OVERLAY_PICTURE);
+        (pictureTexture == null ? letters : pictureTexture).bind(TextureUnit.OVERLAY_PICTURE);
         program.use();
         program.uniforms().set(picture.width(), picture.height(), 0, 0);
         quads.draw();
     }
 
-    /** Keeps the texture while the picture stays the same, also while none is shown. */
-    private void show(Picture picture) {
-        if (picture == null || picture == shownPicture) {
+    /** Keeps the texture while the picture stays the same, also while none is drawn. */
+    private void upload(Picture picture) {
+        if (picture == null || picture == uploadedPicture) {
             return;
         }
-        if (shown != null) {
-            shown.close();
+        if (pictureTexture != null) {
+            pictureTexture.close();
         }
-        shownPicture = picture;
-        shown = texture(
+        uploadedPicture = picture;
+        pictureTexture = texture(
                 "overlay picture",
                 PixelFormat.RGBA8,
                 Texture.Extent.flat(picture.width(), picture.height()),
@@ -89,7 +89,6 @@ public final class OverlayPass implements AutoCloseable {
     }
 
     private void build() {
-        var atlas = lettering.atlas();
         var defines = Map.of(
                 "ATLAS_WIDTH", FontAtlas.WIDTH_TEXELS + ".0",
                 "ATLAS_HEIGHT", atlas.height() + ".0",
@@ -118,8 +117,8 @@ public final class OverlayPass implements AutoCloseable {
             letters.close();
             quads.close();
         }
-        if (shown != null) {
-            shown.close();
+        if (pictureTexture != null) {
+            pictureTexture.close();
         }
     }
 }

@@ -3,7 +3,10 @@ package nephele.engine.render.pass.overlay;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** The letters of {@code strokes.txt}, which documents their notation. */
@@ -14,6 +17,7 @@ final class StrokeFont {
     static final double SPACING_HUNDREDTHS = 19.5;
     static final double SPACE_EM = 0.29;
     static final double CAPITAL_HEIGHT_HUNDREDTHS = 70;
+    private static final double DEGREES_PER_CHORD = 12;
     private static final double MARK_LIFT_OVER_CAPITALS_HUNDREDTHS = 20;
 
     private final Map<Integer, Glyph> glyphs = new LinkedHashMap<>();
@@ -55,11 +59,44 @@ final class StrokeFont {
     }
 
     private static Glyph drawn(int codePoint, String[] words) {
-        var pen = new PenPath();
-        for (int i = 2; i < words.length; ) {
-            i += pen.follow(words, i);
+        List<List<Double>> strokes = new ArrayList<>();
+        int at = 2;
+        while (at < words.length) {
+            String command = words[at];
+            int end = at + (command.equals("A") ? 7 : 3);
+            double[] numbers = Arrays.stream(words, at + 1, end)
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+            if (command.equals("M") || strokes.isEmpty()) {
+                strokes.add(new ArrayList<>());
+            }
+            List<Double> stroke = strokes.get(strokes.size() - 1);
+            switch (command) {
+                case "M", "L" -> stroke.addAll(List.of(numbers[0], numbers[1]));
+                case "A" -> addArc(numbers, stroke);
+                default -> throw new IllegalArgumentException("strokes.txt: unknown pen command " + command);
+            }
+            at = end;
         }
-        return new Glyph(codePoint, Double.parseDouble(words[1]), pen.strokes());
+        return new Glyph(
+                codePoint,
+                Double.parseDouble(words[1]),
+                strokes.stream()
+                        .map(stroke ->
+                                stroke.stream().mapToDouble(Double::doubleValue).toArray())
+                        .toList());
+    }
+
+    /** Adds chords far shorter than a pixel. */
+    private static void addArc(double[] centreRadiiAngles, List<Double> stroke) {
+        double from = centreRadiiAngles[4];
+        double to = centreRadiiAngles[5];
+        int chords = (int) Math.ceil(Math.abs(to - from) / DEGREES_PER_CHORD);
+        for (int i = 0; i <= chords; i++) {
+            double angle = Math.toRadians(from + (to - from) * i / chords);
+            stroke.add(centreRadiiAngles[0] + centreRadiiAngles[2] * Math.cos(angle));
+            stroke.add(centreRadiiAngles[1] + centreRadiiAngles[3] * Math.sin(angle));
+        }
     }
 
     private Glyph composed(int codePoint, String baseAndMark) {

@@ -10,7 +10,6 @@ import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import nephele.engine.particle.EmitterSurroundings;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.AmbientLight;
@@ -28,7 +27,7 @@ final class ParticleLight {
     private static final double OF_IRRADIANCE = 1 / (2 * Math.PI);
 
     /** Radiance for the irradiance of lit clouds, the bolt's own light included. */
-    private static final double FLASH_SHARE = 2 / Math.PI;
+    private static final double FLASH_FRACTION = 2 / Math.PI;
 
     /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
     private static final double RELIEF = 0.7;
@@ -70,7 +69,7 @@ final class ParticleLight {
         ofFlash = new float[3 * emitters.size()];
         lightning = context.get(FrameLightning.RESOURCE);
         for (int i = 0; i < emitters.size(); i++) {
-            skyFraction[i] = particles.surroundings().skyFraction(emitters.get(i));
+            skyFraction[i] = particles.skyFraction(i);
             ofLamps[i] = ofLamps(emitters.get(i));
         }
     }
@@ -102,7 +101,7 @@ final class ParticleLight {
             Vector3d around = sky == null ? now.ambient().toVector() : mean(sky).mul(skyFraction[i]);
             Vector3d direct = new Vector3d();
             if (sun != null && sees(sun, i)) {
-                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudShare(i));
+                direct.set(sun.irradiance().toVector()).mul(OF_IRRADIANCE * cloudFraction(i));
             }
             put(
                     i,
@@ -117,20 +116,18 @@ final class ParticleLight {
             Vec3 glow = lightning.isLit()
                     ? lightning.glow(particles.emitters().get(i).centre())
                     : Vec3.ZERO;
-            double share = FLASH_SHARE * skyFraction[i];
-            ofFlash[3 * i] = (float) (share * glow.x());
-            ofFlash[3 * i + 1] = (float) (share * glow.y());
-            ofFlash[3 * i + 2] = (float) (share * glow.z());
+            double fraction = FLASH_FRACTION * skyFraction[i];
+            ofFlash[3 * i] = (float) (fraction * glow.x());
+            ofFlash[3 * i + 1] = (float) (fraction * glow.y());
+            ofFlash[3 * i + 2] = (float) (fraction * glow.z());
         }
     }
 
     /** Returns the share of the sun's light that clouds leave. */
-    private double cloudShare(int emitter) {
+    private double cloudFraction(int emitter) {
         return cloudsFollowed == null
                 ? 1
-                : cloudsFollowed
-                        .clouds()
-                        .sunShare(particles.emitters().get(emitter).centre());
+                : cloudsFollowed.sun().from(particles.emitters().get(emitter).centre());
     }
 
     private static Vector3d mean(SkyIrradiance sky) {
@@ -146,8 +143,7 @@ final class ParticleLight {
     }
 
     private boolean sees(Sun sun, int emitter) {
-        EmitterSurroundings surroundings = particles.surroundings();
-        return !sun.castsShadow() || surroundings.sees(particles.emitters().get(emitter), towardsSun);
+        return !sun.castsShadow() || particles.sees(emitter, towardsSun);
     }
 
     /** Adds up light from all sides and from the sun, and finds from where more of it comes. */

@@ -9,6 +9,7 @@ import nephele.engine.particle.BackToFront;
 import nephele.engine.particle.LevelParticles;
 import nephele.engine.particle.ParticleArrays;
 import nephele.engine.particle.ParticlePicture;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -22,11 +23,15 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.render.resource.SquareSheet;
 import nephele.engine.scene.View;
 
 /**
@@ -38,15 +43,25 @@ public final class ParticlePass implements Pass {
                     "particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy)
             .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, AmbientLight.RESOURCE, MeteredExposure.RESOURCE);
 
+    private static final String FOLDER = "/nephele/engine/render/pass/particle/";
+    private static final int PER_SHEET = 512;
+    /** Three texels for each particle, see {@code particle.vert}. */
+    private static final int FLOATS = 12;
+
+    private record PixelUniforms(Scalar pixelPerMetre) {}
+
     private final GlContext gl;
     private final Map<Target, Texture> targets;
     private final TargetReads reads;
     private final LevelParticles particles;
     private final ParticleLight light;
-    private final ParticleProgram program;
-    private final ParticleQuads quads;
+    private final GlProgram<PixelUniforms> program;
+    /** {@code null} if all kinds are drawn by formulas. */
+    private final Texture pictures;
+
+    private final SquareSheet squares;
     private final BackToFront order = new BackToFront();
-    private final boolean[] isSeen;
+    private final boolean[] isVisible;
     /** From the eye to the centres of the emitters. */
     private final float[] centres;
 
@@ -57,10 +72,28 @@ public final class ParticlePass implements Pass {
         List<Emitter> emitters = making(context.request());
         particles = new LevelParticles(emitters, context.scene().statics());
         light = new ParticleLight(context, particles);
-        isSeen = new boolean[emitters.size()];
+        isVisible = new boolean[emitters.size()];
         centres = new float[3 * emitters.size()];
-        quads = context.own(new ParticleQuads(gl));
-        program = new ParticleProgram(context, emitters, context.request().fadesAtSurfaces());
+        squares = context.own(new SquareSheet(gl, "particles", PER_SHEET, FLOATS, 1));
+        MeteredExposure.readInViews(context);
+        boolean arePictured = emitters.stream().anyMatch(emitter -> isPictured(emitter.kind()));
+        pictures = arePictured ? context.own(ParticlePictures.texture(gl)) : null;
+        Map<String, String> defines = Defines.of(context)
+                .withIf(context.request().fadesAtSurfaces(), "SURFACES")
+                .withIf(arePictured, "PICTURES")
+                .with("PER_SHEET", PER_SHEET)
+                .with("STREAK", ParticlePicture.STREAK.first())
+                .with("BILLOW", ParticlePicture.BILLOW.first())
+                .with("TONGUE", ParticlePicture.TONGUE.first())
+                .values();
+        program = GlProgram.of(gl, FOLDER + "particle.vert", FOLDER + "particle.frag", defines, PixelUniforms.class);
+    }
+
+    private static boolean isPictured(Emitter.Kind kind) {
+        return switch (kind) {
+            case FIRE, SMOKE, EXPLOSION, QUADS -> true;
+            case RAIN, SNOW, SPARKS -> false;
+        };
     }
 
     private static List<Emitter> making(FrameRequest request) {
@@ -83,23 +116,23 @@ public final class ParticlePass implements Pass {
 
     @Override
     public boolean needsCopies(FrameContext frame) {
-        return findSeen(frame);
+        return findVisible(frame);
     }
 
     /** Finds the emitters that a view may see; returns true if there is one. */
-    private boolean findSeen(FrameContext frame) {
+    private boolean findVisible(FrameContext frame) {
         boolean any = false;
         particles.follow(frame.frameState().portals());
-        for (int i = 0; i < isSeen.length; i++) {
-            isSeen[i] = frame.seen().mayIntersect(particles.bounds(i));
-            any |= isSeen[i];
+        for (int i = 0; i < isVisible.length; i++) {
+            isVisible[i] = frame.frustum().mayIntersect(particles.bounds(i));
+            any |= isVisible[i];
         }
         return any;
     }
 
     @Override
     public void draw(FrameContext frame) {
-        if (!findSeen(frame)) {
+        if (!findVisible(frame)) {
             return;
         }
         ParticleArrays all = particles.at(frame.frameState().seconds());
@@ -108,19 +141,24 @@ public final class ParticlePass implements Pass {
         if (order.count() == 0) {
             return;
         }
-        FloatBuffer texels = quads.begin(order.count());
+        FloatBuffer texels = squares.staging(order.count()).clear();
         for (int i = 0; i < order.count(); i++) {
-            put(all.numbers(), ParticleArrays.STRIDE * order.at(i), texels, ParticleQuads.FLOATS * i);
+            put(all.numbers(), ParticleArrays.STRIDE * order.at(i), texels, FLOATS * i);
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
         reads.bind(targets);
-        program.use(frame);
-        quads.draw();
+        program.use();
+        double height = 2 * frame.view().projection().tanHalfHeight();
+        program.uniforms().pixelPerMetre().set(height / frame.surface().height());
+        if (pictures != null) {
+            pictures.bind(TextureUnit.COLOURS);
+        }
+        squares.draw(order.count(), 0, TextureUnit.DYNAMIC_INSTANCES);
     }
 
     private void sort(ParticleArrays all, View view) {
-        for (int i = 0; i < isSeen.length; i++) {
+        for (int i = 0; i < isVisible.length; i++) {
             var centre = particles.emitters().get(i).centre();
             centres[3 * i] = (float) (centre.x() - view.eyeX());
             centres[3 * i + 1] = (float) (centre.y() - view.eyeY());
@@ -134,7 +172,7 @@ public final class ParticlePass implements Pass {
         for (int i = 0; i < all.count(); i++) {
             int at = ParticleArrays.STRIDE * i;
             int emitter = (int) n[at + ParticleArrays.EMITTER];
-            if (isSeen[emitter]) {
+            if (isVisible[emitter]) {
                 float x = centres[3 * emitter] + n[at];
                 float y = centres[3 * emitter + 1] + n[at + 1];
                 float z = centres[3 * emitter + 2] + n[at + 2];

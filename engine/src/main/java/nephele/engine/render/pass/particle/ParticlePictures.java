@@ -60,8 +60,8 @@ final class ParticlePictures {
         return picture >= ParticlePicture.TONGUE.first() ? tongue(u, v, variant) : billow(u, v, variant);
     }
 
-    private static byte unsigned(double share) {
-        return (byte) Math.round(255 * Math.min(1, Math.max(0, share)));
+    private static byte unsigned(double fraction) {
+        return (byte) Math.round(255 * Math.min(1, Math.max(0, fraction)));
     }
 
     /** Returns by how much the front of a billow faces a direction: round as a whole, with bumps of noise. */
@@ -76,11 +76,11 @@ final class ParticlePictures {
     private static double noise(double u, double v, int variant, double frequency) {
         SeededNoise noise = new SeededNoise(7 + variant);
         double sum = 0;
-        double share = 0.57;
+        double weight = 0.57;
         double scale = frequency;
         for (int octave = 0; octave < 3; octave++) {
-            sum += share * noise.at(scale * u + 31, scale * v + 17, octave);
-            share *= 0.5;
+            sum += weight * noise.at(scale * u + 31, scale * v + 17, octave);
+            weight *= 0.5;
             scale *= 2.1;
         }
         return sum;

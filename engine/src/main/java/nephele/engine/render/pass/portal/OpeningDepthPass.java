@@ -31,7 +31,7 @@ public final class OpeningDepthPass implements Pass {
 
     private OpeningDepthPass(LoadContext context) {
         gl = context.gl();
-        program = OpeningPrograms.nothing(context);
+        program = PortalPass.nothing(context);
         openings = context.get(OpeningMesh.RESOURCE);
     }
 

@@ -1,11 +1,13 @@
 package nephele.engine.render.pass.portal;
 
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.ClearColour;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.LoadContext;
@@ -23,6 +25,7 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.OpeningMesh;
@@ -41,7 +44,7 @@ public final class PortalPass implements Pass {
                     request -> Required.ofOpenings(request, "openings to see through", PortalPass::new))
             .using(OpeningMesh.RESOURCE);
 
-    private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
+    private static final String FOLDER = "/nephele/engine/render/pass/portal/";
 
     private final GlContext gl;
     private final GlProgram<?> nothing;
@@ -49,24 +52,40 @@ public final class PortalPass implements Pass {
     private final GlProgram<?> picture;
     private final OpeningMesh openings;
     private final FrameEnvironment surroundings;
-    /** The fog in front of tinted mirrors; {@code null} if none is to be added. */
+    /** The fog between the eye and tinted mirrors, times the part of light that they absorb; {@code null} without fog. */
     private final GlProgram<Uniforms.Vector3> fog;
     /** True if the sky covers every pixel, so that the clear colour is never visible. */
     private final boolean skyCovers;
 
     private PortalPass(LoadContext context) {
         gl = context.gl();
-        nothing = OpeningPrograms.nothing(context);
-        colour = OpeningPrograms.colour(context);
-        picture = OpeningPrograms.picture(context);
+        nothing = nothing(context);
+        colour = program(context, "colour.frag", uniforms -> uniforms.vector4("colour"));
+        picture = program(context, "picture.frag", uniforms -> uniforms);
         openings = context.get(OpeningMesh.RESOURCE);
         surroundings = context.resources().environment();
-        fog = hasMirrorFog(context) ? OpeningPrograms.fog(context) : null;
+        fog = hasMirrorFog(context)
+                ? program(context, "mirror-fog.frag", uniforms -> uniforms.vector3("keptBack"))
+                : null;
         Environment environment = context.scene().level().environment();
         boolean isFogBefore = FogTransmittance.of(environment).isPresent();
         skyCovers = isFogBefore
                 ? !FogTransmittance.hidesSky(environment)
                 : environment.sky() != null && !(environment.sky() instanceof Sky.Constant);
+    }
+
+    /** Returns a program that places openings at the depth at which all programs do, and writes only depth and stencil. */
+    static GlProgram<Uniforms> nothing(LoadContext context) {
+        return program(context, "nothing.frag", uniforms -> uniforms);
+    }
+
+    private static <U> GlProgram<U> program(LoadContext context, String fragment, Function<Uniforms, U> uniforms) {
+        Map<String, String> defines = Defines.of(context).values();
+        return new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "opening.vert", defines),
+                ShaderSource.load(FOLDER + fragment, defines),
+                uniforms);
     }
 
     @Override
@@ -88,7 +107,7 @@ public final class PortalPass implements Pass {
                     }
                 }
                 case MARK -> {
-                    colour(MARK);
+                    colour.uniforms().set(NestedViews.MARK, 1);
                     cover(frame, child, colour);
                 }
             }
@@ -135,10 +154,6 @@ public final class PortalPass implements Pass {
         openings.draw(child);
     }
 
-    private void colour(ClearColour c) {
-        colour.uniforms().set(c.red(), c.green(), c.blue(), 1);
-    }
-
     private void drawThrough(FrameContext frame, ViewNode child) {
         DrawState state = gl.state();
         int depth = frame.nested().openingsCounted(frame.node());
@@ -149,7 +164,7 @@ public final class PortalPass implements Pass {
         state.depthOf(DepthOf.FARTHEST);
         state.stencil(Stencil.EQUAL, depth + 1);
         if (!skyCovers) {
-            colour(surroundings.clearColour(child.view()));
+            colour.uniforms().set(surroundings.clearColour(child.view()), 1);
         }
         draw(
                 child,

@@ -6,6 +6,9 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Opening;
 import nephele.engine.scene.View;
@@ -21,11 +24,11 @@ final class RimLook {
     private static final Vec3 SILVER = new Vec3(0.3, 0.33, 0.36);
 
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
-    /** Share of white in a rim when it begins to open. */
+    /** Fraction of white in a rim when it begins to open. */
     private static final double HOT_WHITE = 0.85;
 
-    private static final double GOLDEN_SHARE = 0.6180339887498949;
-    /** Share of the hues between blue and orange that are greens; these are used first. */
+    private static final double GOLDEN_RATIO = 0.6180339887498949;
+    /** Fraction of the hues between blue and orange that are greens; these are used first. */
     private static final double GREENS = 0.45;
 
     private static final double PREVIEW_OPACITY = 0.92;
@@ -50,6 +53,25 @@ final class RimLook {
     double halfMetres;
 
     boolean isOpen;
+
+    /** The uniforms for the pose and appearance of one portal; its centre is relative to the eye. */
+    record PortalUniforms(
+            Vector4 centreAndOpenness,
+            Vector3 portalRight,
+            Vector3 portalUp,
+            @IfRead Vector3 portalBack,
+            Vector4 tintAndOpacity,
+            Vector4 pattern) {}
+
+    void putInto(PortalUniforms uniforms) {
+        uniforms.centreAndOpenness.set(
+                centre.x() - view.eyeX(), centre.y() - view.eyeY(), centre.z() - view.eyeZ(), openness);
+        uniforms.portalRight.set(frame.right());
+        uniforms.portalUp.set(frame.up());
+        uniforms.portalBack.set(frame.back());
+        uniforms.tintAndOpacity.set(tint.x(), tint.y(), tint.z(), opacity);
+        uniforms.pattern.set(kind, cells, seconds, halfMetres);
+    }
 
     void of(FrameState frameState, int index, View newView) {
         view = newView;
@@ -132,7 +154,7 @@ final class RimLook {
      * @param pair index among the level's pairs, with gaps
      */
     private static Vec3 ofPair(int pair) {
-        double place = 0.2 + GOLDEN_SHARE * pair;
+        double place = 0.2 + GOLDEN_RATIO * pair;
         place -= Math.floor(place);
         return hue(place < GREENS ? 0.24 + 0.24 * place / GREENS : 0.72 + 0.25 * (place - GREENS) / (1 - GREENS));
     }

@@ -19,8 +19,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.Uniforms.Vector3;
-import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.pass.rim.RimLook.PortalUniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
 
@@ -43,9 +42,9 @@ public final class RimPass implements Pass {
     private final List<RimShape> shapes = new ArrayList<>();
 
     private final LoadContext context;
-    private final GlProgram<Placing> ring;
-    private final GlProgram<Placing> glow;
-    private final GlProgram<Placing> membrane;
+    private final GlProgram<PortalUniforms> ring;
+    private final GlProgram<PortalUniforms> glow;
+    private final GlProgram<PortalUniforms> membrane;
     private final RimLook look = new RimLook();
     private final Blend over;
 
@@ -59,31 +58,9 @@ public final class RimPass implements Pass {
         over = MeteredExposure.over(context);
     }
 
-    private static GlProgram<Placing> program(LoadContext context, String fragment, Defines names) {
+    private static GlProgram<PortalUniforms> program(LoadContext context, String fragment, Defines names) {
         Map<String, String> defines = names.values();
-        return GlProgram.of(context.gl(), FOLDER + "rim.vert", FOLDER + fragment, defines, Placing.class);
-    }
-
-    /** The uniforms for the pose and appearance of one portal. */
-    private record Placing(
-            Vector4 centreAndOpenness,
-            Vector3 portalRight,
-            Vector3 portalUp,
-            Vector3 portalBack,
-            Vector4 tintAndOpacity,
-            Vector4 pattern) {
-        void set(RimLook look) {
-            centreAndOpenness.set(
-                    look.centre.x() - look.view.eyeX(),
-                    look.centre.y() - look.view.eyeY(),
-                    look.centre.z() - look.view.eyeZ(),
-                    look.openness);
-            portalRight.set(look.frame.right());
-            portalUp.set(look.frame.up());
-            portalBack.set(look.frame.back());
-            tintAndOpacity.set(look.tint.x(), look.tint.y(), look.tint.z(), look.opacity);
-            pattern.set(look.kind, look.cells, look.seconds, look.halfMetres);
-        }
+        return GlProgram.of(context.gl(), FOLDER + "rim.vert", FOLDER + fragment, defines, PortalUniforms.class);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -149,8 +126,8 @@ public final class RimPass implements Pass {
         shape.drawRing();
     }
 
-    private void use(GlProgram<Placing> program) {
+    private void use(GlProgram<PortalUniforms> program) {
         program.use();
-        program.uniforms().set(look);
+        look.putInto(program.uniforms());
     }
 }

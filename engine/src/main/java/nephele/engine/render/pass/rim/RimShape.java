@@ -44,8 +44,8 @@ final class RimShape implements GlObject {
         int corners = aperture.corners();
         int ringRows = RING.length / 2;
         int glowRows = GLOW.length / 2;
-        double[] way = way(aperture);
-        cells = Math.max(8, 2 * (int) Math.round(way[corners] / CELL_METRES / 2));
+        double[] lengths = lengths(aperture);
+        cells = Math.max(8, 2 * (int) Math.round(lengths[corners] / CELL_METRES / 2));
         int vertices = (corners + 1) * (ringRows + glowRows + 1);
         ringIndices = 6 * corners * (ringRows - 1);
         glowIndices = 6 * corners * (glowRows - 1);
@@ -53,8 +53,8 @@ final class RimShape implements GlObject {
         ByteBuffer bytes = MemoryUtil.memAlloc(vertices * FORMAT.strideBytes()).order(ByteOrder.nativeOrder());
         IntBuffer indices = MemoryUtil.memAllocInt(ringIndices + glowIndices + areaIndices);
         try {
-            band(aperture, way, RING, bytes, indices);
-            band(aperture, way, GLOW, bytes, indices);
+            band(aperture, lengths, RING, bytes, indices);
+            band(aperture, lengths, GLOW, bytes, indices);
             area(aperture, bytes, indices);
             mesh = new GpuMesh(gl, "rim", FORMAT, bytes.flip(), indices.flip());
         } finally {
@@ -64,26 +64,27 @@ final class RimShape implements GlObject {
     }
 
     /** Returns the length along the edge up to each corner, and the whole length. */
-    private static double[] way(Aperture aperture) {
+    private static double[] lengths(Aperture aperture) {
         int corners = aperture.corners();
-        double[] way = new double[corners + 1];
+        double[] lengths = new double[corners + 1];
         for (int i = 0; i < corners; i++) {
             int next = (i + 1) % corners;
             double x = aperture.cornerX(next) - aperture.cornerX(i);
             double y = aperture.cornerY(next) - aperture.cornerY(i);
-            way[i + 1] = way[i] + Math.hypot(x, y);
+            lengths[i + 1] = lengths[i] + Math.hypot(x, y);
         }
-        return way;
+        return lengths;
     }
 
-    private static void band(Aperture aperture, double[] way, double[] profile, ByteBuffer bytes, IntBuffer indices) {
+    private static void band(
+            Aperture aperture, double[] lengths, double[] profile, ByteBuffer bytes, IntBuffer indices) {
         int rows = profile.length / 2;
         int first = bytes.position() / FORMAT.strideBytes();
         int corners = aperture.corners();
         for (int i = 0; i <= corners; i++) {
             for (int row = 0; row < rows; row++) {
                 edge(aperture, i % corners, bytes);
-                put(bytes, profile[2 * row], profile[2 * row + 1], way[i] / way[corners], 0);
+                put(bytes, profile[2 * row], profile[2 * row + 1], lengths[i] / lengths[corners], 0);
             }
         }
         for (int i = 0; i < corners; i++) {

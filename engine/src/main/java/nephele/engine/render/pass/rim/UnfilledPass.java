@@ -17,7 +17,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.pass.rim.RimLook.PortalUniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Opening;
@@ -37,17 +37,10 @@ public final class UnfilledPass implements Pass {
     /** The background is visible through a membrane. */
     private static final double OPACITY = 0.5;
 
-    private record Places(
-            Uniforms.Vector4 centreFromEye,
-            Uniforms.Vector3 portalRight,
-            Uniforms.Vector3 portalUp,
-            Uniforms.Vector4 tintAndOpacity,
-            Uniforms.Vector4 pattern) {}
-
     private final GlContext gl;
     private final RimLook look = new RimLook();
     /** Draws a membrane with the vertices of the opening, for every distance of the eye. */
-    private final GlProgram<Places> program;
+    private final GlProgram<PortalUniforms> program;
 
     private final OpeningMesh openings;
     private final Blend over;
@@ -57,8 +50,8 @@ public final class UnfilledPass implements Pass {
         MeteredExposure.readInViews(context);
         Map<String, String> defines =
                 Defines.of(context).with("OPACITY", OPACITY).values();
-        program =
-                GlProgram.of(gl, FOLDER + "membrane-in-opening.vert", FOLDER + "membrane.frag", defines, Places.class);
+        program = GlProgram.of(
+                gl, FOLDER + "membrane-in-opening.vert", FOLDER + "membrane.frag", defines, PortalUniforms.class);
         openings = context.get(OpeningMesh.RESOURCE);
         over = MeteredExposure.over(context);
     }
@@ -87,24 +80,9 @@ public final class UnfilledPass implements Pass {
         frame.surface().bind();
         gl.state().depthOf(OpeningMesh.depthOf(child));
         gl.state().set(Depth.EQUAL, over, Cull.NONE);
-        use();
+        program.use();
+        look.putInto(program.uniforms());
         openings.draw(child);
         gl.state().depthOf(DepthOf.SURFACE);
-    }
-
-    /** Sets the appearance of the openings that are drawn next. */
-    private void use() {
-        program.use();
-        Places places = program.uniforms();
-        places.centreFromEye.set(
-                look.centre.x() - look.view.eyeX(),
-                look.centre.y() - look.view.eyeY(),
-                look.centre.z() - look.view.eyeZ(),
-                0);
-        places.portalRight.set(look.frame.right());
-        places.portalUp.set(look.frame.up());
-        places.tintAndOpacity.set(
-                (float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
-        places.pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres);
     }
 }

@@ -118,7 +118,7 @@ final class DepthDraw {
     }
 
     /** Draws the parts of terrains in a frustum, in the state of the solids. */
-    private void drawTerrains(Frustum seen, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
+    private void drawTerrains(Frustum frustum, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         for (TerrainMesh mesh : terrains) {
             HeightField field = mesh.field();
             Vec3 origin = field.origin();
@@ -130,7 +130,7 @@ final class DepthDraw {
             uniforms.clipFromOrigin().set(clipFromOrigin.get(new float[16]));
             uniforms.place().set(field, origin.x(), origin.y(), origin.z());
             mesh.bind();
-            mesh.draw(seen, (column, row) -> uniforms.place().chunk(field, column, row));
+            mesh.draw(frustum, uniforms.place());
         }
     }
 }

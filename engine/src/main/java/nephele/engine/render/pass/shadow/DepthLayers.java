@@ -19,7 +19,7 @@ final class DepthLayers implements GlObject {
     private Texture texture;
     private Texture.Extent extent;
     private final List<RenderTarget> targets = new ArrayList<>();
-    private final List<Object> shown = new ArrayList<>();
+    private final List<Object> drawn = new ArrayList<>();
 
     DepthLayers(GlContext gl, String name) {
         this.gl = gl;
@@ -42,10 +42,10 @@ final class DepthLayers implements GlObject {
         fit(size);
         for (int layer = 0; layer < size.layers(); layer++) {
             Object content = contents.get(layer);
-            if (!content.equals(shown.get(layer))) {
-                Object before = shown.set(layer, null);
+            if (!content.equals(drawn.get(layer))) {
+                Object before = drawn.set(layer, null);
                 drawing.draw(layer, targets.get(layer), before);
-                shown.set(layer, content);
+                drawn.set(layer, content);
             }
         }
         return texture;
@@ -58,7 +58,7 @@ final class DepthLayers implements GlObject {
             extent = size;
             for (int layer = 0; layer < size.layers(); layer++) {
                 targets.add(RenderTarget.depthLayer(gl, name, texture, layer));
-                shown.add(null);
+                drawn.add(null);
             }
         }
     }
@@ -67,7 +67,7 @@ final class DepthLayers implements GlObject {
     public void close() {
         targets.forEach(RenderTarget::close);
         targets.clear();
-        shown.clear();
+        drawn.clear();
         if (texture != null) {
             texture.close();
             texture = null;

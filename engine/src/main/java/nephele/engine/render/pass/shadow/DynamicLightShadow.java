@@ -25,9 +25,6 @@ final class DynamicLightShadow {
     /** @param clipFromAnchor the layer's projection */
     private record Layer(Matrix4d clipFromAnchor, Frustum frustum, PunctualLight light) {}
 
-    /** The content of the pictures: the dynamic objects of one renderer in one state. */
-    private record Content(Identity dynamicObjects, long state) {}
-
     private final Map<Target, Texture> targets;
     private final Identity dynamicObjects;
     private final DynamicDepthDraw depth;
@@ -36,7 +33,9 @@ final class DynamicLightShadow {
     private final VisibleInstances visible;
     private final DepthLayers maps;
     private final Texture.Extent extent;
-    private List<Content> contents = List.of();
+    private long state = -1;
+    /** What each layer shows: the dynamic objects of one renderer in one state. */
+    private List<?> contents = List.of();
 
     DynamicLightShadow(LoadContext context, DynamicMeshes meshes, DynamicDepthDraw depth) {
         targets = context.targets();
@@ -59,11 +58,12 @@ final class DynamicLightShadow {
     /**
      * Redraws the pictures if their content differs.
      *
-     * @param state of the dynamic objects: another number if any has moved
+     * @param now the state of the dynamic objects: another number if any has moved
      */
-    void follow(long state) {
-        if (contents.isEmpty() || contents.get(0).state != state) {
-            contents = Collections.nCopies(extent.layers(), new Content(dynamicObjects, state));
+    void follow(long now) {
+        if (contents.isEmpty() || state != now) {
+            state = now;
+            contents = Collections.nCopies(extent.layers(), List.of(dynamicObjects, now));
         }
         targets.put(Target.DYNAMIC_LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
     }

@@ -39,11 +39,10 @@ public final class LightShadowPass implements Pass {
     private final Vec3 anchor;
     private final DepthDraw depth;
     private final DepthLayers maps;
-    private final List<Content> contents;
-    private final Texture.Extent extent;
+    /** The data on which the picture in each layer depends. */
+    private final List<?> contents;
 
-    /** The data on which a picture depends. */
-    private record Content(PunctualLight light, int axis, Identity shade, Vec3 anchor) {}
+    private final Texture.Extent extent;
 
     private LightShadowPass(LoadContext context) {
         targets = context.targets();
@@ -55,7 +54,7 @@ public final class LightShadowPass implements Pass {
         depth = new DepthDraw(context);
         maps = DepthDraw.layers(context, "light shadows");
         contents = shadows.layers().stream()
-                .map(layer -> new Content(
+                .map(layer -> List.of(
                         lights.get(layer.light()),
                         layer.axis(),
                         new Identity(table.shadowToken(layer.light())),

@@ -12,6 +12,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.PlantList;
 import nephele.engine.render.resource.PlantedScene;
@@ -26,16 +27,15 @@ final class PlantDepth {
     /** A software renderer draws as many in a second. */
     private static final long MOST_TRIANGLES = 4_000_000;
 
-    private record MeshUniforms(Uniforms.Matrix4 clipFromAnchor) {}
-
-    private record SunUniforms(Uniforms.Matrix4 clipFromAnchor, Uniforms.Vector3 towardsSun) {}
+    /** @param towardsSun of impostors */
+    private record SunUniforms(Uniforms.Matrix4 clipFromAnchor, @IfRead Uniforms.Vector3 towardsSun) {}
 
     private final GlContext gl;
     private final PlantedScene plants;
     /** For each kind whether its meshes are drawn. */
     private final boolean[] isMesh;
 
-    private final GlProgram<MeshUniforms> meshes;
+    private final GlProgram<SunUniforms> meshes;
     private final PlantList list;
     /** {@code null} if all are meshes. */
     private final GlProgram<SunUniforms> impostors;
@@ -76,8 +76,8 @@ final class PlantDepth {
                 .toArray();
     }
 
-    private GlProgram<MeshUniforms> meshes() {
-        return GlProgram.of(gl, FOLDER + "plant-depth.vert", FOLDER + "plant-depth.frag", Map.of(), MeshUniforms.class);
+    private GlProgram<SunUniforms> meshes() {
+        return GlProgram.of(gl, FOLDER + "plant-depth.vert", FOLDER + "plant-depth.frag", Map.of(), SunUniforms.class);
     }
 
     private GlProgram<SunUniforms> impostors() {

@@ -8,8 +8,10 @@ import java.util.Set;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.planted.PlantedModels;
+import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
+import nephele.engine.math.heightfield.SampleRange;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -28,6 +30,8 @@ import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
 
 /**
  * Draws the sun's depth map of all solids that can cast a shadow on another, again when the sun, a solid or the observer
@@ -37,6 +41,9 @@ public final class SunShadowPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy)
             .using(SolidMesh.RESOURCE, TerrainMesh.RESOURCE, SurfaceLight.RESOURCE);
+
+    /** Rounding and the rasteriser's rules move an edge by less. */
+    private static final int MARGIN_TEXELS = 2;
 
     private final GlContext gl;
     private final Map<Target, Texture> targets;
@@ -132,11 +139,11 @@ public final class SunShadowPass implements Pass {
     }
 
     private void draw(RenderTarget target, ShadowFrame frame, Content before) {
-        Optional<ShadowPart> part = before != null && before.differsInGroundAlone(contents.get(0))
-                ? ShadowPart.changed(frame, before.ground, ground)
+        Optional<Texture.Region> part = before != null && before.differsInGroundAlone(contents.get(0))
+                ? changedPart(frame, before.ground, ground)
                 : Optional.empty();
         if (part.isPresent()) {
-            depth.drawPart(target, part.get().texels(), part.get().within(), frame.clipFromAnchor(), frame.anchor());
+            depth.drawPart(target, part.get(), frustum(frame, part.get()), frame.clipFromAnchor(), frame.anchor());
         } else {
             int border = ShadowFrame.BORDER_TEXELS;
             target.clearDepth();
@@ -150,5 +157,70 @@ public final class SunShadowPass implements Pass {
             plants.draw(frame, light.towardsSun());
         }
         gl.state().noScissor();
+    }
+
+    /**
+     * Returns the texels that differ between two versions of all terrains; empty if the whole map has to be drawn.
+     */
+    private static Optional<Texture.Region> changedPart(
+            ShadowFrame frame, List<HeightField> before, List<HeightField> after) {
+        if (before.size() != after.size()) {
+            return Optional.empty();
+        }
+        double[] ends = {1, 1, 0, 0};
+        for (int i = 0; i < after.size(); i++) {
+            Optional<SampleRange> range =
+                    after.get(i).origin().equals(before.get(i).origin())
+                            ? after.get(i).difference(before.get(i))
+                            : Optional.empty();
+            if (range.isEmpty()) {
+                return Optional.empty();
+            }
+            if (!range.get().isEmpty()) {
+                widen(frame, before.get(i), range.get(), ends);
+                widen(frame, after.get(i), range.get(), ends);
+            }
+        }
+        int left = texel(ends[0], frame.width(), -MARGIN_TEXELS);
+        int bottom = texel(ends[1], frame.height(), -MARGIN_TEXELS);
+        int right = texel(ends[2], frame.width(), 1 + MARGIN_TEXELS);
+        int top = texel(ends[3], frame.height(), 1 + MARGIN_TEXELS);
+        return Optional.of(new Texture.Region(left, bottom, Math.max(0, right - left), Math.max(0, top - bottom)));
+    }
+
+    /** Widens the ends, in fractions of the map, by the samples and those around them. */
+    private static void widen(ShadowFrame frame, HeightField field, SampleRange range, double[] ends) {
+        int lastColumn = Math.min(range.lastColumn() + 1, field.cellColumns());
+        int lastRow = Math.min(range.lastRow() + 1, field.cellRows());
+        for (int row = Math.max(0, range.firstRow() - 1); row <= lastRow; row++) {
+            for (int column = Math.max(0, range.firstColumn() - 1); column <= lastColumn; column++) {
+                Vector3d at = new Vector3d(
+                        field.x(column) - frame.anchor().x(),
+                        field.y(field.height(column, row)) - frame.anchor().y(),
+                        field.z(row) - frame.anchor().z());
+                frame.mapFromAnchor().transformPosition(at);
+                ends[0] = Math.min(ends[0], at.x);
+                ends[1] = Math.min(ends[1], at.y);
+                ends[2] = Math.max(ends[2], at.x);
+                ends[3] = Math.max(ends[3], at.y);
+            }
+        }
+    }
+
+    private static int texel(double fraction, int texels, int more) {
+        int border = ShadowFrame.BORDER_TEXELS;
+        return (int) Math.max(border, Math.min(Math.floor(fraction * texels) + more, texels - border));
+    }
+
+    /** Returns what the texels of a part of the map may show. */
+    private static Frustum frustum(ShadowFrame frame, Texture.Region texels) {
+        double width = Math.max(texels.width(), 1) / (double) frame.width();
+        double height = Math.max(texels.height(), 1) / (double) frame.height();
+        Matrix4d part = new Matrix4d()
+                .translation(-1, -1, -1)
+                .scale(2 / width, 2 / height, 2)
+                .translate(-texels.x() / (double) frame.width(), -texels.y() / (double) frame.height(), 0)
+                .mul(frame.mapFromAnchor());
+        return Frustum.of(part, frame.anchor());
     }
 }

@@ -70,8 +70,8 @@ public final class AtmospherePass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = !FogTransmittance.hidesSky(environment);
-        return isSeen && environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
+        boolean isVisible = !FogTransmittance.hidesSky(environment);
+        return isVisible && environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
                 ? List.of(new Required("environment.sky: an atmosphere", context -> new AtmospherePass(context, sky)))
                 : List.of();
     }
@@ -80,14 +80,14 @@ public final class AtmospherePass implements Pass {
     public void draw(FrameContext frame) {
         double height = frame.view().eye().y();
         follow(frame.frameState().environment());
-        SunAndMoonTables shown = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
-        shown.show(lights);
+        SunAndMoonTables near = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
+        near.show(lights);
         SkyProgram program = program();
-        program.sun(lights, tables.air(), new SkyProgram.Heights(shown.heightMetres(), height));
+        program.sun(lights, tables.air(), near.heightMetres(), height);
         if (program == night) {
             program.heavens(lights);
         }
-        shown.bind(TextureUnit.COLOURS);
+        near.bind(TextureUnit.COLOURS);
         program.draw(frame.surface());
     }
 

@@ -28,9 +28,10 @@ final class SkyProgram {
     private final FullScreenDrawing drawing;
     private final Numbers numbers;
     private final boolean isNight;
-    private Sun sunShown;
-    private Heights heightsShown;
-    private Sky.Atmosphere skyShown;
+    private Sun drawnSun;
+    private double drawnTableMetres;
+    private double drawnEyeMetres;
+    private Sky.Atmosphere drawnSky;
 
     private record Numbers(
             Vector3 towardsSun,
@@ -61,29 +62,27 @@ final class SkyProgram {
     }
 
     /**
-     * The heights of the tables and of the eye.
+     * Sets the sun and the air.
      *
-     * @param ofTable for which the light is tabulated
-     * @param ofEye where the horizon is seen from
+     * @param tableMetres height for which the light is tabulated
+     * @param eyeMetres height where the horizon is visible from
      */
-    record Heights(double ofTable, double ofEye) {}
-
-    void sun(SunAndMoon lights, Air air, Heights heights) {
+    void sun(SunAndMoon lights, Air air, double tableMetres, double eyeMetres) {
         Sun sun = lights.environment().sun();
         Vec3 towardsSun = lights.towardsSun();
-        if (sun == sunShown && heights.equals(heightsShown)) {
+        if (sun == drawnSun && tableMetres == drawnTableMetres && eyeMetres == drawnEyeMetres) {
             return;
         }
-        sunShown = sun;
-        heightsShown = heights;
-        double heightMetres = heights.ofTable;
+        drawnSun = sun;
+        drawnTableMetres = tableMetres;
+        drawnEyeMetres = eyeMetres;
         numbers.towardsSun.set(towardsSun);
         numbers.irradiance.set(sun.irradiance());
-        numbers.disc.set(disc(sun.irradiance(), towardsSun.y(), air, heightMetres));
+        numbers.disc.set(disc(sun.irradiance(), towardsSun.y(), air, tableMetres));
         numbers.discSine.set((float) Math.sin(air.sunRadiusRadians()));
-        numbers.horizon.set((float) SkyTable.horizon(heightMetres));
-        numbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, heights.ofEye)));
-        numbers.band.set((float) SkyTable.bandEnd(heightMetres), (float) SkyTable.bandShare(heightMetres));
+        numbers.horizon.set((float) SkyTable.horizon(tableMetres));
+        numbers.horizonOfEye.set((float) SkyTable.horizon(Math.min(Air.TOP_METRES, eyeMetres)));
+        numbers.band.set((float) SkyTable.bandEnd(tableMetres), (float) SkyTable.bandShare(tableMetres));
         numbers.mieG.set((float) air.mieG());
         if (isNight) {
             Vec3 zenith = air.transmittance(0, 1);
@@ -96,10 +95,10 @@ final class SkyProgram {
         Sky.Atmosphere sky = (Sky.Atmosphere) lights.environment().sky();
         Moonlight moonlight = lights.moonlight();
         numbers.moonlight.set(moonlight.irradiance());
-        if (sky == skyShown) {
+        if (sky == drawnSky) {
             return;
         }
-        skyShown = sky;
+        drawnSky = sky;
         Vec3[] axes = CelestialPositions.celestialAxes(sky);
         numbers.towardsMoon.set(moonlight.towardsMoon());
         numbers.groundAlbedo.set(Daylight.air(sky).groundAlbedo());

@@ -12,7 +12,6 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
@@ -22,10 +21,8 @@ import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
-import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -48,28 +45,16 @@ public final class SkyboxPass implements Pass {
     private final GlContext gl;
     private final GlProgram<Scalar> program;
     private final float whiteRadiance;
-    private final Cube cube;
-
-    private record MadeFrom(Identity level, Sky sky, Output output) {}
-
-    /** Six pictures and the mesh that shows them. */
-    private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
-        static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxPictures pictures = SkyboxPictures.of(sky, context.get(PictureArrays.DECODED));
-            return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
-        }
-
-        @Override
-        public void close() {
-            mesh.close();
-            faces.close();
-        }
-    }
+    private final Texture faces;
+    private final GpuMesh mesh;
 
     private SkyboxPass(LoadContext context, Sky.Skybox sky) {
         gl = context.gl();
-        cube = context.share(
-                Cube.class, new MadeFrom(context.openedLevel(), sky, context.output()), () -> Cube.of(context, sky));
+        faces = context.share(
+                Texture.class,
+                List.of(context.openedLevel(), sky, context.output()),
+                () -> SkyboxCube.upload(context, SkyboxPictures.of(sky, context.get(PictureArrays.DECODED))));
+        mesh = context.own(mesh(gl, faces.extent().width()));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
@@ -81,13 +66,14 @@ public final class SkyboxPass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = !FogTransmittance.hidesSky(environment);
-        return isSeen && environment.sky() instanceof Sky.Skybox skybox
+        boolean isVisible = !FogTransmittance.hidesSky(environment);
+        return isVisible && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", context -> new SkyboxPass(context, skybox)))
                 : List.of();
     }
 
-    private static GpuMesh cube(GlContext gl, int side) {
+    /** Returns a cube around the eye. @param side texels of a layer, with its border */
+    private static GpuMesh mesh(GlContext gl, int side) {
         ByteBuffer vertices = ByteBuffer.allocateDirect(6 * 4 * 24).order(ByteOrder.nativeOrder());
         IntBuffer indices = ByteBuffer.allocateDirect(6 * 6 * 4)
                 .order(ByteOrder.nativeOrder())
@@ -107,9 +93,9 @@ public final class SkyboxPass implements Pass {
         return new GpuMesh(gl, "skybox", format, vertices.flip(), indices.flip());
     }
 
-    /** Converts −1 and 1 to the texture coordinates of a layer's picture without its border. */
+    /** Converts −1 and 1 to the texture coordinates of a layer without its border. */
     private static float insideBorder(int corner, int side) {
-        return corner < 0 ? 1f / (side + 2) : (side + 1f) / (side + 2);
+        return corner < 0 ? 1f / side : (side - 1f) / side;
     }
 
     @Override
@@ -118,7 +104,7 @@ public final class SkyboxPass implements Pass {
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
         program.use();
         program.uniforms().set(whiteRadiance);
-        cube.faces.bind(TextureUnit.COLOURS);
-        cube.mesh.draw(0, 36);
+        faces.bind(TextureUnit.COLOURS);
+        mesh.draw(0, 36);
     }
 }

@@ -23,6 +23,9 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SolidMesh;
@@ -39,17 +42,17 @@ public final class SolidPass implements Pass {
 
     private final GlContext gl;
     private final TargetReads reads;
-    private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
-    private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
+    private final List<GlProgram<BatchUniforms>> programOfBatch = new ArrayList<>();
     private final List<Boolean> normalMapped = new ArrayList<>();
-    private final float[] eye = new float[6];
     private final MaterialBlocks materials;
     private final SolidMesh mesh;
     private final PictureArrays colours;
     private final PictureArrays normals;
     private final SurfaceLight light;
     /** Writes only depth; {@code null} if light is constant over each face and costs little. */
-    private final GlProgram<SolidUniforms> depthFirst;
+    private final GlProgram<EyeUniforms> depthFirst;
+
+    private record BatchUniforms(EyeUniforms eye, @IfRead Vector3 cellFromAnchor) {}
 
     private SolidPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
@@ -61,12 +64,31 @@ public final class SolidPass implements Pass {
         depthFirst = light.variesOverFaces() ? depthProgram(context) : null;
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));
+        Map<Map<String, String>, GlProgram<BatchUniforms>> programs = new HashMap<>();
         for (SolidBatch batch : mesh.batches()) {
-            SolidVariant variant = SolidVariant.of(batch, context.scene().level(), context.quality());
-            normalMapped.add(variant.surface().normalMapped());
+            normalMapped.add(MaterialBlocks.readsNormalMap(batch.kind(), context.quality()));
             programOfBatch.add(programs.computeIfAbsent(
-                    variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
+                    defines(context, batch),
+                    defines -> GlProgram.of(
+                            gl, FOLDER + "solid.vert", FOLDER + "solid.frag", defines, BatchUniforms.class)));
         }
+    }
+
+    private Map<String, String> defines(LoadContext context, SolidBatch batch) {
+        SolidBatch.Form form = batch.form();
+        boolean isNormalMapped = MaterialBlocks.readsNormalMap(batch.kind(), context.quality());
+        boolean isLitPerFace = !form.isModel() && batch.kind().lambert() && !isNormalMapped && !light.variesOverFaces();
+        boolean anyEmits = context.scene().level().materials().stream()
+                .anyMatch(material -> !material.emission().equals(Vec3.ZERO));
+        Defines lit = form.isModel() ? light.addForModels(Defines.of(context)) : light.addTo(Defines.of(context));
+        return materials
+                .addTo(lit, batch.kind(), context.quality())
+                .withIf(anyEmits, "EMISSION")
+                .withIf(form.isModel(), "MODEL")
+                .withIf(form == SolidBatch.Form.CURVED_MODEL, "CURVED_RECEIVER")
+                .withIf(form == SolidBatch.Form.TURNED_SOLID && isNormalMapped, "TURNED_TEXTURE")
+                .withIf(isLitPerFace, "FLAT_LIGHT")
+                .values();
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -101,9 +123,9 @@ public final class SolidPass implements Pass {
         }
     }
 
-    private static GlProgram<SolidUniforms> depthProgram(LoadContext context) {
+    private static GlProgram<EyeUniforms> depthProgram(LoadContext context) {
         Map<String, String> defines = Defines.of(context).values();
-        return GlProgram.of(context.gl(), FOLDER + "depth.vert", FOLDER + "depth.frag", defines, SolidUniforms.class);
+        return GlProgram.of(context.gl(), FOLDER + "depth.vert", FOLDER + "depth.frag", defines, EyeUniforms.class);
     }
 
     /** Writes the depth of all solids, so that costly light is computed once a pixel and never for hidden surfaces. */
@@ -111,20 +133,19 @@ public final class SolidPass implements Pass {
         gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         depthFirst.use();
         for (int i = 0; i < mesh.batches().size(); i++) {
-            SolidMesh.eyeInCell(frame.view(), mesh.batches().get(i).cellOrigin(), eye);
-            depthFirst.uniforms().eye(eye);
+            depthFirst.uniforms().set(frame.view(), mesh.batches().get(i).cellOrigin());
             mesh.draw(i, frame.visible());
         }
     }
 
     private void drawBatch(FrameContext frame, int index) {
         SolidBatch batch = mesh.batches().get(index);
-        GlProgram<SolidUniforms> program = programOfBatch.get(index);
+        GlProgram<BatchUniforms> program = programOfBatch.get(index);
         program.use();
         Vec3 cell = batch.cellOrigin();
-        SolidMesh.eyeInCell(frame.view(), cell, eye);
-        program.uniforms().eye(eye);
-        program.uniforms().cell(cell, light.anchor());
+        program.uniforms().eye().set(frame.view(), cell);
+        Vec3 anchor = light.anchor();
+        program.uniforms().cellFromAnchor().set(cell.x() - anchor.x(), cell.y() - anchor.y(), cell.z() - anchor.z());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
             colours.get(batch.kind().colourArray()).bind(TextureUnit.COLOURS);

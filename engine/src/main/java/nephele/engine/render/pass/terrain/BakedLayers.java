@@ -13,7 +13,7 @@ import nephele.engine.level.terrain.TerrainLayers;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
-import nephele.engine.render.resource.MipLevels;
+import nephele.engine.render.resource.ResampledPicture;
 import nephele.engine.scene.SceneMaterials;
 import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
@@ -45,7 +45,7 @@ final class BakedLayers {
             }
             Picture picture =
                     materials.colourArrays().get(slot.array()).layers().get(slot.layer());
-            List<byte[]> below = MipLevels.below(picture, decoding);
+            List<byte[]> below = ResampledPicture.mipLevels(picture, decoding);
             int width = picture.width();
             int height = picture.height();
             byte[] samples = picture.samples();
@@ -60,9 +60,9 @@ final class BakedLayers {
 
     private BakedLayers(StaticShape.HeightGrid grid, SceneMaterials materials, ColourDecoding decoding) {
         field = grid.field();
-        layers = TerrainLayers.of(grid.said());
-        paint = grid.painted().map(map -> new LayerPaint(grid.said(), map));
-        zeroHeight = grid.said().centre().y();
+        layers = TerrainLayers.of(grid.authored());
+        paint = grid.painted().map(map -> new LayerPaint(grid.authored(), map));
+        zeroHeight = grid.authored().centre().y();
         codes = decoding.codes();
         double pixel = Math.max(field.cellX() * field.cellColumns(), field.cellZ() * field.cellRows()) / SIZE;
         for (int i = 0; i < layers.count(); i++) {

@@ -1,29 +1,35 @@
 package nephele.engine.render.pass.terrain;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LayerMixing;
-import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.TerrainDetail;
+import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SurfaceLight;
-import nephele.engine.render.resource.SurfaceVariant;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.TerrainSky;
+import org.lwjgl.system.MemoryUtil;
 
-/** One terrain with its programs, materials and sky visibility. */
+/** One terrain with its programs, materials, painted layers and sky visibility. */
 final class GroundDrawing {
     private static final String FOLDER = "/nephele/engine/render/pass/terrain/";
 
@@ -37,11 +43,14 @@ final class GroundDrawing {
     private final SurfaceLight light;
     private final MaterialBlocks materials;
     private final List<Part> parts;
-    /** {@code null} if the sky does not shine. */
-    private final GroundSky sky;
+    /** The sky visibility; {@code null} if the sky does not shine. */
+    private final Texture sky;
 
     /** {@code null} without painted layers. */
-    private final GroundPaint paint;
+    private final LayerMap paintedLayers;
+
+    /** Its texels are fetched, not filtered, since indices have no mean. */
+    private final Texture paint;
 
     /** {@code null} without pictures. */
     private final Texture colours;
@@ -55,7 +64,7 @@ final class GroundDrawing {
         tiles = context.quality().terrainDetail() == TerrainDetail.LOD
                 ? context.share(
                         TerrainTiles.class,
-                        new TilesOf(new Identity(grid.field())),
+                        new Identity(grid.field()),
                         () -> new TerrainTiles(context.gl(), grid.field()))
                 : null;
         isBaked = context.quality().terrainLayers() == LayerMixing.BAKED;
@@ -63,53 +72,76 @@ final class GroundDrawing {
         look = isBaked ? authored.baked() : authored;
         light = context.get(SurfaceLight.RESOURCE);
         materials = context.own(new MaterialBlocks(context.gl(), look.surfaces()));
-        paint = grid.painted().map(map -> paint(context, map)).orElse(null);
-        parts = slopes(context.quality().normalMaps()).stream()
+        paintedLayers = grid.painted().orElse(null);
+        paint = paintedLayers == null ? null : paint(context, paintedLayers);
+        parts = slopes(context.quality()).stream()
                 .map(slopes -> new Part(slopes, program(context, slopes)))
                 .toList();
-        sky = LightRequirements.skyShines(context.scene().level())
-                ? context.share(
-                        GroundSky.class,
-                        new SkyOf(new Identity(grid.field())),
-                        () -> new GroundSky(context.gl(), grid.field()))
-                : null;
+        sky = LightRequirements.skyShines(context.scene().level()) ? sky(context, grid.field()) : null;
         colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
-        normals = look.kind().isNormalMapped() && context.quality().normalMaps() == NormalMaps.ON
-                ? normals(context, look.normals())
-                : null;
+        normals =
+                MaterialBlocks.readsNormalMap(look.kind(), context.quality()) ? normals(context, look.normals()) : null;
     }
 
     /** The tiles that a program draws. */
     private record Part(Slopes slopes, GlProgram<GroundUniforms> program) {}
 
     /** Pictures on tiles without steep slopes are read from above alone, by a program that costs less. */
-    private List<Slopes> slopes(NormalMaps normalMaps) {
+    private List<Slopes> slopes(Quality quality) {
         boolean hasProjections =
-                !isBaked && (look.kind().isTextured() || look.kind().isNormalMapped() && normalMaps == NormalMaps.ON);
+                !isBaked && (look.kind().isTextured() || MaterialBlocks.readsNormalMap(look.kind(), quality));
         return tiles != null && hasProjections ? List.of(Slopes.GENTLE, Slopes.STEEP) : List.of(Slopes.ALL);
     }
 
-    private record SkyOf(Identity field) {}
-
-    private record TilesOf(Identity field) {}
-
-    private record PaintOf(Identity map) {}
-
-    private static GroundPaint paint(LoadContext context, LayerMap map) {
+    private static Texture paint(LoadContext context, LayerMap map) {
         return context.share(
-                GroundPaint.class, new PaintOf(new Identity(map)), () -> new GroundPaint(context.gl(), map));
+                Texture.class,
+                new Identity(map),
+                () -> texture(
+                        context.gl(),
+                        "terrain layers",
+                        PixelFormat.RG8,
+                        Texture.Extent.flat(map.columns(), map.rows()),
+                        Sampling.NEAREST_CLAMP,
+                        map.texels()));
+    }
+
+    private static Texture sky(LoadContext context, HeightField field) {
+        TerrainSky sky = context.shareValue(TerrainSky.class, new Identity(field), () -> {
+            List<TerrainSky> known = context.gl().shared().all(TerrainSky.class);
+            return TerrainMesh.mostSimilar(known, TerrainSky::field, field)
+                    .map(similar -> TerrainSky.edited(similar, field))
+                    .orElseGet(() -> TerrainSky.of(field));
+        });
+        return context.share(
+                Texture.class,
+                new Identity(sky),
+                () -> texture(
+                        context.gl(),
+                        "terrain sky visibility",
+                        PixelFormat.R8,
+                        Texture.Extent.flat(sky.columns(), sky.rows()),
+                        Sampling.LINEAR_CLAMP,
+                        sky.values()));
+    }
+
+    private static Texture texture(
+            GlContext gl, String name, PixelFormat format, Texture.Extent extent, Sampling sampling, byte[] values) {
+        Texture texture = new Texture(gl, name, Texture.Shape.FLAT, format, extent, sampling);
+        ByteBuffer texels = MemoryUtil.memAlloc(values.length);
+        texture.upload(0, texels.put(values).flip());
+        MemoryUtil.memFree(texels);
+        return texture;
     }
 
     private GlProgram<GroundUniforms> program(LoadContext context, Slopes slopes) {
-        SurfaceVariant surface = SurfaceVariant.of(look.kind(), context.quality());
-        var defines = surface.addTo(
-                        light.addForDynamicObjects(Defines.of(context))
-                                .withIf(tiles != null, "DETAIL")
-                                .withIf(isBaked, "BAKED")
-                                .withIf(slopes == Slopes.GENTLE, "FROM_ABOVE")
-                                .withIf(paint != null, "PAINTED")
-                                .with("LAYERS", look.surfaces().size()),
-                        materials.materialsPerBlock())
+        var defines = materials
+                .addTo(light.addForDynamicObjects(Defines.of(context)), look.kind(), context.quality())
+                .withIf(tiles != null, "DETAIL")
+                .withIf(isBaked, "BAKED")
+                .withIf(slopes == Slopes.GENTLE, "FROM_ABOVE")
+                .withIf(paint != null, "PAINTED")
+                .with("LAYERS", look.surfaces().size())
                 .values();
         return GlProgram.of(
                 context.gl(), FOLDER + "terrain.vert", FOLDER + "terrain.frag", defines, GroundUniforms.class);
@@ -136,7 +168,7 @@ final class GroundDrawing {
     void draw(FrameContext frame) {
         bind();
         if (tiles != null) {
-            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.seen());
+            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.frustum());
         }
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
@@ -146,7 +178,7 @@ final class GroundDrawing {
             if (tiles != null) {
                 tiles.draw(part.slopes());
             } else {
-                mesh.draw(frame.seen(), (column, row) -> uniforms.place().chunk(mesh.field(), column, row));
+                mesh.draw(frame.frustum(), uniforms.place());
             }
         }
     }
@@ -155,10 +187,10 @@ final class GroundDrawing {
         materials.bind(0);
         mesh.bind();
         if (sky != null) {
-            sky.bind();
+            sky.bind(TextureUnit.SKY_VISIBILITY);
         }
         if (paint != null) {
-            paint.bind();
+            paint.bind(TextureUnit.TERRAIN_LAYERS);
         }
         if (colours != null) {
             colours.bind(TextureUnit.COLOURS);
@@ -173,7 +205,7 @@ final class GroundDrawing {
         uniforms.set(mesh.field(), look, light.anchor());
         uniforms.place().set(mesh.field(), view.eyeX(), view.eyeY(), view.eyeZ());
         if (paint != null) {
-            uniforms.setPaint(mesh.field(), paint.map());
+            uniforms.setPaint(mesh.field(), paintedLayers);
         }
         if (tiles != null) {
             uniforms.place().chunk(mesh.field(), 0, 0);

@@ -25,7 +25,7 @@ record GroundLook(
         double[] limits,
         List<Vec3> origins) {
     static GroundLook of(StaticShape.HeightGrid grid, SceneMaterials materials) {
-        TerrainLayers layers = TerrainLayers.of(grid.said());
+        TerrainLayers layers = TerrainLayers.of(grid.authored());
         List<Surface> all = new ArrayList<>();
         for (int i = 0; i < layers.count(); i++) {
             all.add(materials.surfaces().get(materials.indexOf(layers.material(i))));

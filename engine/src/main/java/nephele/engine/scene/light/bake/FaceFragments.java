@@ -263,33 +263,36 @@ public final class FaceFragments {
         /** Keeps whole millimetres, which are common in levels, away from the cells' borders. */
         private static final double OFFSET_METRES = 3.7e-4;
 
-        private final Map<Cell, List<Vec3>> corners = new HashMap<>();
-
-        private record Cell(long x, long y, long z) {}
+        /** The corners by {@link #key} of their cell; cells far apart may have the same key. */
+        private final Map<Long, List<Vec3>> corners = new HashMap<>();
 
         Vec3 welded(Vec3 p) {
             for (long x = cell(p.x() - WELD_METRES); x <= cell(p.x() + WELD_METRES); x++) {
                 for (long y = cell(p.y() - WELD_METRES); y <= cell(p.y() + WELD_METRES); y++) {
                     for (long z = cell(p.z() - WELD_METRES); z <= cell(p.z() + WELD_METRES); z++) {
-                        Vec3 known = knownIn(new Cell(x, y, z), p);
+                        Vec3 known = knownIn(key(x, y, z), p);
                         if (known != null) {
                             return known;
                         }
                     }
                 }
             }
-            corners.computeIfAbsent(new Cell(cell(p.x()), cell(p.y()), cell(p.z())), cell -> new ArrayList<>(1))
+            corners.computeIfAbsent(key(cell(p.x()), cell(p.y()), cell(p.z())), key -> new ArrayList<>(1))
                     .add(p);
             return p;
         }
 
-        private Vec3 knownIn(Cell cell, Vec3 p) {
-            for (Vec3 known : corners.getOrDefault(cell, List.of())) {
+        private Vec3 knownIn(long key, Vec3 p) {
+            for (Vec3 known : corners.getOrDefault(key, List.of())) {
                 if (known.toVector().distance(p.x(), p.y(), p.z()) <= WELD_METRES) {
                     return known;
                 }
             }
             return null;
+        }
+
+        private static long key(long x, long y, long z) {
+            return (x & 0x1fffff) << 42 | (y & 0x1fffff) << 21 | z & 0x1fffff;
         }
 
         private static long cell(double metres) {

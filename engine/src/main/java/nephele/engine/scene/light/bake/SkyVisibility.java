@@ -75,7 +75,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
             int from = 0;
             for (PlacedModel old : baked) {
                 int count = old.triangles().positions().length / 3;
-                boolean isSame = old.said().id().equals(model.said().id())
+                boolean isSame = old.authored().id().equals(model.authored().id())
                         && old.triangles().positions().length
                                 == model.triangles().positions().length;
                 if (isSame) {

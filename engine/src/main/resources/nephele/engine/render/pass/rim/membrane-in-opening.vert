@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec4 clipPosition;
 
-uniform vec4 centreFromEye;
+uniform vec4 centreAndOpenness;
 uniform vec3 portalRight;
 uniform vec3 portalUp;
 
@@ -15,7 +15,7 @@ invariant gl_Position;
 
 void main() {
     relativePosition = clipPosition.w * viewForward.xyz + clipPosition.x * viewRight.xyz + clipPosition.y * viewUp.xyz;
-    vec3 fromCentre = relativePosition - centreFromEye.xyz;
+    vec3 fromCentre = relativePosition - centreAndOpenness.xyz;
     areaPlace = vec2(dot(fromCentre, portalRight), dot(fromCentre, portalUp));
     gl_Position = clipPosition;
 }

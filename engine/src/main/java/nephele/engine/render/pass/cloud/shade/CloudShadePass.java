@@ -4,8 +4,9 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.CloudInterval;
-import nephele.engine.cloud.drawn.SunShares;
+import nephele.engine.cloud.drawn.SunThroughClouds;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -29,20 +30,21 @@ public final class CloudShadePass implements Pass {
 
     private final RendererClouds clouds;
     private final Map<Target, Texture> targets;
-    private final SunShares.Size size;
+    private final CellBox lattice;
     private final Texture texture;
-    private CloudInterval shown;
+    private CloudInterval uploaded;
 
     private CloudShadePass(LoadContext context) {
         clouds = context.get(RendererClouds.RESOURCE);
         targets = context.targets();
-        size = SunShares.Size.of(FrameClouds.shadeRegion(context.scene().statics()));
+        lattice =
+                SunThroughClouds.lattice(FrameClouds.shadeRegion(context.scene().statics()));
         texture = context.own(new Texture(
                 context.gl(),
                 "cloud shade",
                 Texture.Shape.VOLUME,
                 PixelFormat.R16,
-                new Texture.Extent(size.x(), size.y(), size.z()),
+                new Texture.Extent(lattice.nx(), lattice.ny(), lattice.nz()),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -62,8 +64,8 @@ public final class CloudShadePass implements Pass {
         CloudInterval now = clouds.current().now();
         if (now == null) {
             uploadFull();
-        } else if (shown == null || now.from() != shown.from() || now.share() != shown.share()) {
-            shown = now;
+        } else if (uploaded == null || now.from() != uploaded.from() || now.fraction() != uploaded.fraction()) {
+            uploaded = now;
             upload();
         }
         targets.put(Target.CLOUD_SHADE, texture);
@@ -71,20 +73,24 @@ public final class CloudShadePass implements Pass {
 
     /** Leaves the sun all its light: no cloud has any extinction. */
     private void uploadFull() {
-        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * size.slice());
+        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * lattice.nx() * lattice.ny());
         MemoryUtil.memSet(slice, 0xff);
-        for (int k = 0; k < size.z(); k++) {
+        for (int k = 0; k < lattice.nz(); k++) {
             texture.upload(k, slice.clear());
         }
         MemoryUtil.memFree(slice);
     }
 
     private void upload() {
-        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * size.slice());
-        for (int k = 0; k < size.z(); k++) {
-            shown.from()
-                    .shares()
-                    .put(shown.to().shares(), shown.share(), k, slice.clear().asShortBuffer());
+        ByteBuffer slice = MemoryUtil.memAlloc(Short.BYTES * lattice.nx() * lattice.ny());
+        for (int k = 0; k < lattice.nz(); k++) {
+            uploaded.from()
+                    .sun()
+                    .put(
+                            uploaded.to().sun(),
+                            uploaded.fraction(),
+                            k,
+                            slice.clear().asShortBuffer());
             texture.upload(k, slice.clear());
         }
         MemoryUtil.memFree(slice);

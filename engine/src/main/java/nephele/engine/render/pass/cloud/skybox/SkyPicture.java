@@ -33,7 +33,7 @@ final class SkyPicture implements GlObject {
      * @param nearestMetres distance to the cloud
      * @param middleMetres distance to its middle, which of a layer is that upwards
      * @param isLayer whether the cloud is endless
-     * @param presence share of its extinction
+     * @param presence fraction of its extinction
      * @param towardsSun unit
      */
     record Moment(

@@ -51,7 +51,7 @@ public final class SkyboxTechnique implements CloudDrawing {
     /** Metres a second by which a shape that evolves counts as moving: a billow in each generation. */
     private final double evolutionSpeed;
 
-    private SkyPicture shown;
+    private SkyPicture drawn;
     /** The pictures that fade out, or that are drawn next. */
     private SkyPicture other;
 
@@ -81,7 +81,7 @@ public final class SkyboxTechnique implements CloudDrawing {
         programs =
                 new CloudPrograms<>(context, "cloud.vert", "skybox/skybox.frag", defines -> defines, SkyUniforms.class);
         triangle = load.own(new FullScreenTriangle(load.gl(), "skybox of clouds"));
-        shown = load.own(new SkyPicture(load.gl()));
+        drawn = load.own(new SkyPicture(load.gl()));
         other = load.own(new SkyPicture(load.gl()));
         evolutionSpeed = placed.source().evolves()
                         && placed.source().cloud().density() instanceof Cloud.Density.Noise noise
@@ -128,8 +128,8 @@ public final class SkyboxTechnique implements CloudDrawing {
         boolean isCut = clouds.cuts() != cuts;
         handled = now;
         cuts = clouds.cuts();
-        if (shown.faces() == null || isJump && change() > 0 || isCut && change() >= 1) {
-            baker.begin(shown, environment, now);
+        if (drawn.faces() == null || isJump && change() > 0 || isCut && change() >= 1) {
+            baker.begin(drawn, environment, now);
             baker.draw(Integer.MAX_VALUE, view);
             fade = 1;
         } else {
@@ -151,18 +151,18 @@ public final class SkyboxTechnique implements CloudDrawing {
     }
 
     private void fadeIn() {
-        double passed = Math.abs(other.moment().seconds() - shown.moment().seconds());
-        SkyPicture passing = shown;
-        shown = other;
+        double passed = Math.abs(other.moment().seconds() - drawn.moment().seconds());
+        SkyPicture passing = drawn;
+        drawn = other;
         other = passing;
         fadeStart = now.seconds();
         fadeSeconds = Math.max(SHORTEST_FADE_SECONDS, Math.min(LONGEST_FADE_SECONDS, passed));
         fade = 0;
     }
 
-    /** Returns how much of what is shown has changed; 1 as soon as it should be drawn again. */
+    /** Returns how much of what is drawn has changed; 1 as soon as it should be drawn again. */
     private double change() {
-        SkyPicture.Moment then = shown.moment();
+        SkyPicture.Moment then = drawn.moment();
         Vec3 sun = CloudTimeline.towardsSun(environment);
         double turned = Math.atan2(sun.cross(then.towardsSun()).length(), sun.dot(then.towardsSun()));
         return Math.max(
@@ -170,7 +170,7 @@ public final class SkyboxTechnique implements CloudDrawing {
                 Math.max(turned / MOST_SUN_RADIANS, Math.abs(placed.presence() - then.presence()) / MOST_PRESENCE));
     }
 
-    /** Returns by how many texels parts of the cloud are elsewhere than shown: what is as far as its middle follows the wind. */
+    /** Returns by how many texels parts of the cloud are elsewhere than drawn: what is as far as its middle follows the wind. */
     private double texelsOff(SkyPicture.Moment then) {
         double blown = placed.drift().minus(then.drift()).length();
         double evolved = evolutionSpeed * Math.abs(now.seconds() - then.seconds());
@@ -180,12 +180,12 @@ public final class SkyboxTechnique implements CloudDrawing {
 
     @Override
     public void draw(CloudCanvas canvas) {
-        SkyPicture fading = fade < 1 ? other : shown;
-        shown.bind(TextureUnit.CLOUD_FACES);
+        SkyPicture fading = fade < 1 ? other : drawn;
+        drawn.bind(TextureUnit.CLOUD_FACES);
         fading.bind(TextureUnit.CLOUD_FACES_BEFORE);
         SkyUniforms uniforms = programs.use(canvas.pixels());
         canvas.put(uniforms.cloud, placed);
-        put(uniforms, 0, shown);
+        put(uniforms, 0, drawn);
         put(uniforms, 1, fading);
         uniforms.fade.set(fade);
         uniforms.skyLayer.set(

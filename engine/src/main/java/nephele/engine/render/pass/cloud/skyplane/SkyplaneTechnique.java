@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.cloud.cells.CellBox;
 import nephele.engine.cloud.drawn.CloudInterval;
+import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.drawn.SheetColumns;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
@@ -35,8 +36,8 @@ public final class SkyplaneTechnique implements CloudDrawing {
 
     private final CloudPrograms<SheetUniforms> programs;
     private final FullScreenTriangle triangle;
-    private List<SheetColumns> columnsFrom;
-    private List<SheetColumns> columnsTo;
+    private List<CloudSource.Box> columnsFrom;
+    private List<CloudSource.Box> columnsTo;
 
     private record SheetUniforms(CloudUniforms cloud, Vector2 sheet) {}
 
@@ -69,8 +70,8 @@ public final class SkyplaneTechnique implements CloudDrawing {
     @Override
     public void follow(Environment environment, CloudInterval now) {
         lit.follow(environment, now);
-        List<SheetColumns> from = lit.shown().sheet();
-        List<SheetColumns> to = lit.toCome().sheet();
+        List<CloudSource.Box> from = lit.earlier().boxes();
+        List<CloudSource.Box> to = lit.later().boxes();
         if (from == columnsFrom && to == columnsTo) {
             return;
         }
@@ -82,10 +83,11 @@ public final class SkyplaneTechnique implements CloudDrawing {
         }
     }
 
-    private void upload(List<SheetColumns> boxes, int time) {
-        ByteBuffer texels = MemoryUtil.memAlloc(Float.BYTES * boxes.get(0).values().length);
+    private void upload(List<CloudSource.Box> boxes, int time) {
+        ByteBuffer texels =
+                MemoryUtil.memAlloc(Float.BYTES * boxes.get(0).columns().values().length);
         for (int box = 0; box < boxes.size(); box++) {
-            texels.clear().asFloatBuffer().put(boxes.get(box).values());
+            texels.clear().asFloatBuffer().put(boxes.get(box).columns().values());
             columns.upload(2 * box + time, texels.clear());
         }
         MemoryUtil.memFree(texels);

@@ -3,12 +3,11 @@ package nephele.engine.render.pass.cloud.volume;
 import java.nio.ByteBuffer;
 import java.nio.ShortBuffer;
 import java.util.List;
-import nephele.engine.cloud.drawn.PlanCells;
+import nephele.engine.cloud.drawn.CloudSource;
 import nephele.engine.cloud.field.HeightProfile;
 import nephele.engine.cloud.field.NoiseField;
 import nephele.engine.cloud.field.ProfiledNoise;
 import nephele.engine.cloud.noise.EvolvingNoise;
-import nephele.engine.cloud.noise.EvolvingNoise.Generation;
 import nephele.engine.cloud.noise.PeriodicTable;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
@@ -26,8 +25,8 @@ final class NoiseTextures {
     private final Texture detail;
     private final Texture profile;
     private final Texture plan;
-    private List<PlanCells> shownFrom;
-    private List<PlanCells> shownTo;
+    private List<CloudSource.Box> uploadedFrom;
+    private List<CloudSource.Box> uploadedTo;
 
     /** The uniforms of {@code cloud-noise.glsl}. */
     record Places(
@@ -57,7 +56,7 @@ final class NoiseTextures {
                 "cloud plan",
                 Texture.Shape.ARRAY,
                 PixelFormat.RG16,
-                new Texture.Extent(PlanCells.ACROSS, PlanCells.ACROSS, boxes),
+                new Texture.Extent(CloudSource.PLAN_COLUMNS, CloudSource.PLAN_COLUMNS, boxes),
                 Sampling.LINEAR_CLAMP));
     }
 
@@ -80,19 +79,19 @@ final class NoiseTextures {
         return texture;
     }
 
-    /** Shows the plans of two times. */
-    void show(List<PlanCells> from, List<PlanCells> to) {
-        if (from == shownFrom && to == shownTo) {
+    /** Uploads the plans of two times unless they are there. */
+    void upload(List<CloudSource.Box> from, List<CloudSource.Box> to) {
+        if (from == uploadedFrom && to == uploadedTo) {
             return;
         }
-        shownFrom = from;
-        shownTo = to;
-        int texelsOfPlan = PlanCells.ACROSS * PlanCells.ACROSS;
+        uploadedFrom = from;
+        uploadedTo = to;
+        int texelsOfPlan = CloudSource.PLAN_COLUMNS * CloudSource.PLAN_COLUMNS;
         ByteBuffer texels = MemoryUtil.memAlloc(2 * Short.BYTES * texelsOfPlan);
         for (int box = 0; box < from.size(); box++) {
             ShortBuffer pairs = texels.clear().asShortBuffer();
-            short[] first = from.get(box).depths();
-            short[] second = to.get(box).depths();
+            short[] first = from.get(box).plan();
+            short[] second = to.get(box).plan();
             for (int at = 0; at < texelsOfPlan; at++) {
                 pairs.put(first[at]).put(second[at]);
             }
@@ -111,18 +110,18 @@ final class NoiseTextures {
         place(noise.shape(), eye.minus(field.origin()), places.shapePlace(), places.shapeComing());
         place(noise.detail(), eye.minus(field.origin()), places.detailPlace(), places.detailComing());
         places.generations.set(
-                noise.shape().weight(Generation.FADING),
-                noise.shape().weight(Generation.COMING),
-                noise.detail().weight(Generation.FADING),
-                noise.detail().weight(Generation.COMING));
+                noise.shape().fadingWeight(),
+                noise.shape().comingWeight(),
+                noise.detail().fadingWeight(),
+                noise.detail().comingWeight());
         places.eroding.set(noise.eroding());
     }
 
     private static void place(EvolvingNoise noise, Vec3 fromOrigin, Uniforms.Vector4 fading, Uniforms.Vector3 coming) {
-        double period = noise.layout().periodMetres();
+        double period = noise.periodMetres();
         Vec3 eye = fromOrigin.scaled(1 / period);
-        fading.set(fraction(eye.plus(noise.offset(Generation.FADING))), 1 / period);
-        coming.set(fraction(eye.plus(noise.offset(Generation.COMING))));
+        fading.set(fraction(eye.plus(noise.fadingOffset())), 1 / period);
+        coming.set(fraction(eye.plus(noise.comingOffset())));
     }
 
     private static Vec3 fraction(Vec3 v) {

@@ -67,7 +67,7 @@ public final class VolumeTechnique implements CloudDrawing {
         lit.follow(environment, now);
         if (noiseTextures != null) {
             noise = cloud.noise(cloud.evolves() ? now.seconds() : 0);
-            noiseTextures.show(lit.shown().plans(), lit.toCome().plans());
+            noiseTextures.upload(lit.earlier().boxes(), lit.later().boxes());
         }
     }
 
@@ -80,7 +80,7 @@ public final class VolumeTechnique implements CloudDrawing {
         if (noiseTextures != null) {
             noiseTextures.bind(uniforms.noise, noise, view.eye().minus(placed.drift()));
         }
-        CellBox narrowest = lit.shown().cells().narrowest();
+        CellBox narrowest = lit.earlier().cells().narrowest();
         Vec3 edges = new Vec3(narrowest.sizeX(), narrowest.sizeY(), narrowest.sizeZ());
         uniforms.cellEdges.set(edges, narrowest.shortest());
         uniforms.stepping.set(stepCells, 0.5, view.eyeY(), canvas.pixels().isLook() ? lit.depthAround(view) : 0);
