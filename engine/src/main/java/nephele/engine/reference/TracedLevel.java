@@ -260,9 +260,9 @@ public final class TracedLevel {
             return new Vector3d();
         }
         EyePath.Segment last = path.lastSegment();
-        Vector3d away = last.direction().toVector();
         return disc.get()
-                .radiance(last.origin().y(), away)
+                .towards(last.direction(), last.origin().y())
+                .toVector()
                 .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
                 .mul(path.tint());
     }

@@ -42,7 +42,8 @@ final class Tracer {
     }
 
     private Vector3d fromSky(PixelSample sample) {
-        return level.fromSky(path, sample.random()).add(level.fromSunDisc(path));
+        Vector3d sky = level.fromSky(path, sample.random());
+        return bounced == null ? sky : sky.add(level.fromSunDisc(path));
     }
 
     private Vector3d fromSurface(PixelSample sample) {

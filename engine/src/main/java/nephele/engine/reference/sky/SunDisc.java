@@ -2,67 +2,52 @@ package nephele.engine.reference.sky;
 
 import java.util.Optional;
 import nephele.engine.atmosphere.Air;
+import nephele.engine.atmosphere.SkyTable;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /**
- * The disc of the sun in the sky of an atmosphere, dimmed by the air before each of its points and darker towards its
- * limb by Eddington's law, as in {@code atmosphere.frag}. Its irradiance is that of the sun as a direction.
+ * The sun's disc over an atmosphere, dimmed by the air before each of its points, with the limb darkening of {@code
+ * atmosphere.frag}: Eddington's law, with the mean of the disc 1.
+ *
+ * @param middle unit
+ * @param radiance the mean of the disc outside the air
  */
-public final class SunDisc {
-    private final Air air;
-    private final Vec3 towards;
-    private final double radiusSine;
-    private final Vec3 radianceOutside;
-
-    private SunDisc(Air air, Vec3 towards, Vec3 irradianceOutside) {
-        this.air = air;
-        this.towards = towards;
-        radiusSine = StrictMath.sin(air.sunRadiusRadians());
-        radianceOutside = irradianceOutside.scaled(1 / (Math.PI * radiusSine * radiusSine));
-    }
-
+public record SunDisc(Vec3 middle, Vec3 radiance, Air air) {
     /** Returns the disc of an environment; empty without an atmosphere or a sun, and for a sun that is a point. */
     public static Optional<SunDisc> of(Environment environment) {
         if (!(environment.sky() instanceof Sky.Atmosphere sky) || environment.sun() == null) {
             return Optional.empty();
         }
         Air air = Daylight.air(sky);
-        return air.sunRadiusRadians() == 0
+        double radius = air.sunRadiusRadians();
+        Vec3 middle = Directions.unit(environment.sun().directionTowardsSun());
+        Vec3 outside = environment.sun().irradiance();
+        return radius == 0
                 ? Optional.empty()
-                : Optional.of(new SunDisc(
-                        air,
-                        Directions.unit(environment.sun().directionTowardsSun()),
-                        environment.sun().irradiance()));
+                : Optional.of(new SunDisc(middle, outside.scaled(1 / (Math.PI * radius * radius)), air));
+    }
+
+    /** Returns the angular radius. */
+    public double radiusRadians() {
+        return air.sunRadiusRadians();
     }
 
     /**
-     * Returns the disc's radiance from a place; black beside the disc and below the horizon.
+     * Returns the disc's radiance in a unit direction, black beside it and below the horizon.
      *
-     * @param heightMetres y of the place
-     * @param away unit direction
+     * @param eyeHeight y of the eye
      */
-    public Vector3d radiance(double heightMetres, Vector3dc away) {
-        double height = Math.max(0, Math.min(Air.TOP_METRES, heightMetres));
-        Vector3d sunwards = towards.toVector();
-        double fromMiddle = new Vector3d(away).cross(sunwards).length() / radiusSine;
-        double horizon = -Math.sqrt(1 - square(Air.PLANET_RADIUS_METRES / (Air.PLANET_RADIUS_METRES + height)));
-        if (fromMiddle >= 1 || away.dot(sunwards) < 0 || away.y() <= horizon) {
-            return new Vector3d();
+    public Vec3 towards(Vec3 direction, double eyeHeight) {
+        double height = Math.max(0, Math.min(Air.TOP_METRES, eyeHeight));
+        double fromMiddle = direction.minus(middle).length() / radiusRadians();
+        if (fromMiddle >= 1 || Math.asin(direction.y()) < SkyTable.horizonRadians(height)) {
+            return Vec3.ZERO;
         }
-        double limb = 0.5 + 0.75 * Math.sqrt(1 - square(fromMiddle));
-        return radianceOutside
-                .times(air.transmittance(height, away.y()))
-                .scaled(limb)
-                .toVector();
-    }
-
-    private static double square(double x) {
-        return x * x;
+        double limb = 0.5 + 0.75 * Math.sqrt(1 - fromMiddle * fromMiddle);
+        return radiance.times(air.transmittance(height, direction.y())).scaled(limb);
     }
 }
