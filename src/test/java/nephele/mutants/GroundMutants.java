@@ -96,7 +96,7 @@ final class GroundMutants {
             new Mutant(
                     PLANT,
                     "a planted model is turned the other way than its mesh",
-                    ENGINE + "level/planted/PlantedModels.java",
+                    ENGINE + "level/billboard/PlantedModels.java",
                     "StrictMath.atan2(-frame.m02(), frame.m00())",
                     "StrictMath.atan2(frame.m02(), frame.m00())",
                     "PlantedModelsTest"));

@@ -38,10 +38,10 @@ final class ModelMutants {
                     "GltfFileTest"),
             new Mutant(
                     MODEL,
-                    "the longer span decides a tangent",
+                    "a curve leaves its points too fast",
                     ENGINE + "model/CatmullRom.java",
-                    "arriving.mul(after / sum).fma(before / sum, leaving)",
-                    "arriving.mul(before / sum).fma(after / sum, leaving)",
+                    "(1 + 2 * t) * u * u",
+                    "(1 + t) * u * u",
                     "CatmullRomTest"),
             new Mutant(
                     MODEL,

@@ -155,7 +155,7 @@ final class SkyMutants {
                     "every strike of lightning has the first one's strokes",
                     ENGINE + "lightning/LevelLightning.java",
                     "if (isVisible && now != strike) {",
-                    "if (isSeen && strike == NO_STRIKE) {",
+                    "if (isVisible && strike == NO_STRIKE) {",
                     "LevelLightningTest"),
             new Mutant(
                     SKY,

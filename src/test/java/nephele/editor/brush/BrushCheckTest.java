@@ -1,8 +1,6 @@
 package nephele.editor.brush;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
@@ -75,23 +73,15 @@ class BrushCheckTest {
     @MethodSource("degenerate")
     void aDegenerateSolidHasAReason(Solid solid, BrushText why) {
         assertEquals(Optional.of(why), BrushCheck.refusal(solid));
-        assertFalse(BrushCheck.reason(solid).orElseThrow().isBlank());
     }
 
     @Test
     void validSolidsHaveNone() {
         RandomSolids solids = new RandomSolids(80);
         for (int i = 0; i < 100; i++) {
-            assertEquals(Optional.empty(), BrushCheck.reason(solids.next()));
+            assertEquals(Optional.empty(), BrushCheck.refusal(solids.next()));
         }
-        assertEquals(Optional.empty(), BrushCheck.reason(box(Vec3.ZERO, new Vec3(1e-4, 1e-4, 1e-4))));
-        assertEquals(Optional.empty(), BrushCheck.reason(slab(1e-3)));
-    }
-
-    @Test
-    void theEngineSaysWhatIsWrong() {
-        Solid.Planes open = (Solid.Planes) slab(1);
-        Solid without = PlaneForm.with(open, "o", open.planes().subList(0, 5));
-        assertTrue(BrushCheck.reason(without).orElseThrow().contains("enclose no volume"));
+        assertEquals(Optional.empty(), BrushCheck.refusal(box(Vec3.ZERO, new Vec3(1e-4, 1e-4, 1e-4))));
+        assertEquals(Optional.empty(), BrushCheck.refusal(slab(1e-3)));
     }
 }

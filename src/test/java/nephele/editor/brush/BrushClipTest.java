@@ -167,6 +167,6 @@ class BrushClipTest {
         Plane plane = plane(new Vec3(1, 2, 3), new Vec3(far + 1, 1, 1 - far));
         List<Solid> halves = clipped(there, plane).result().orElseThrow();
         assertEquals(8, volume(halves), 8 * 1e-15 * far + 1e-9);
-        halves.forEach(half -> assertEquals(Optional.empty(), BrushCheck.reason(half)));
+        halves.forEach(half -> assertEquals(Optional.empty(), BrushCheck.refusal(half)));
     }
 }

@@ -61,7 +61,7 @@ class BrushShapesTest {
         assertAccepted(solids);
         assertEquals(solids.size(), solids.stream().map(Solid::id).distinct().count());
         for (Solid solid : solids) {
-            assertEquals(STYLE, BrushStyle.of(solid));
+            assertEquals(STYLE, new BrushStyle(solid.material(), solid.portalable(), solid.textureMapping()));
             assertTrue(Brush.of(solid).shape().vertices().stream()
                     .allMatch(v -> depth(Brush.of(SolidShape.box("b", low(BOX), high(BOX))), v) < 1e-9));
         }

@@ -81,7 +81,7 @@ final class SolidShape {
     static void assertAccepted(List<Solid> solids) {
         List<Solid> named = new ArrayList<>();
         for (Solid solid : solids) {
-            assertEquals(Optional.empty(), BrushCheck.reason(solid));
+            assertEquals(Optional.empty(), BrushCheck.refusal(solid));
             named.add(solid.withId("solid " + named.size()));
         }
         TestLevel level = new TestLevel();

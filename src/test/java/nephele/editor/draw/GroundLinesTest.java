@@ -178,7 +178,7 @@ class GroundLinesTest {
         HeightField slope = HeightField.of(new Vec3(-50, 3, -50), 1, 1, 101, 101, (c, r) -> c * 0.7);
         PlanCamera camera = new PlanCamera(PaneKind.TOP, Vec3.ZERO, 1);
         ContourLines.add(camera, SIZE, slope, minor, major);
-        List<GroundLines.Label> labels = GroundLines.of(major, camera, SIZE, slope);
+        List<GroundLines.Label> labels = GroundLines.labels(major, camera, SIZE, slope);
         assertEquals(
                 List.of(25.0, 50.0),
                 labels.stream().map(GroundLines.Label::metres).toList());

@@ -244,23 +244,4 @@ class TextureFitTest {
         return Brush.of(new Solid.Box("b", null, false, TextureMapping.WORLD, centre, size, Map.of()))
                 .faces();
     }
-
-    @Test
-    void aPictureIsDraggedTurnedAndScaledAboutAPoint() {
-        for (PaintedFace face : faces(10, TextureMapping.FACE)) {
-            Vec3 grip = face.face().polygon().get(1);
-            Vec3 by = face.face().polygon().get(0).minus(grip);
-            TextureFit.TextureCoordinates held = TextureFit.uvAt(face, grip);
-            PaintedFace dragged = face.with(TextureFit.dragged(face, by));
-            assertSamePicture(held, TextureFit.uvAt(dragged, grip.plus(by)), "dragged");
-            TexturePlacement turned = TextureFit.turned(face, 33, grip);
-            assertSamePicture(held, TextureFit.uvAt(face.with(turned), grip), "turned");
-            double degrees = turned.rotationDegrees() - face.placement().rotationDegrees() - 33;
-            assertEquals(0, Math.IEEEremainder(degrees, 360), 1e-9);
-            TexturePlacement scaled = TextureFit.scaled(face, 2, -0.5, grip);
-            assertSamePicture(held, TextureFit.uvAt(face.with(scaled), grip), "scaled");
-            assertEquals(2 * face.placement().scaleU(), scaled.scaleU(), 1e-9);
-            assertEquals(-0.5 * face.placement().scaleV(), scaled.scaleV(), 1e-9);
-        }
-    }
 }

@@ -20,6 +20,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.render.Offscreen;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -66,7 +67,7 @@ class OutsideShadowMapGlTest {
                 return ground.billboards(card(Facing.CROSSED, u, at))
                         .level()
                         .with(new PlayerStart(at.plus(new Vec3(100, 0, 1e5)), 0, 0), null)
-                        .withObserver(new Observer(null, 0.5, Observer.Bounds.SPHERE));
+                        .withObserver(new Observer(null, 0.5, Bound.SPHERE));
             }
         },
         IMPOSTOR {

@@ -12,8 +12,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.Problem;
 import nephele.engine.level.TestLevel;
+import nephele.engine.level.billboard.PlantedModels;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 

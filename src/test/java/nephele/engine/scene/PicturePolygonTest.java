@@ -17,7 +17,7 @@ class PicturePolygonTest {
     void whatIsSeenThroughAnotherIsTheirIntersection() {
         var seen = of(-0.25, -0.75, 0.75, -0.75, 0.75, 0.75, -0.25, 0.75);
         seen.keepWithin(of(-0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5));
-        assertEquals(0.75 / 4, seen.share(), 1e-15);
+        assertEquals(0.75 / 4, seen.fraction(), 1e-15);
     }
 
     /** Clipping may leave two corners that should be equal, the second slightly before the first. */
@@ -26,6 +26,6 @@ class PicturePolygonTest {
         var seen = of(-0.25, -0.75, 0.75, -0.75, 0.75, 0.75, -0.25, 0.75);
         double before = Math.nextDown(-0.5);
         seen.keepWithin(of(-0.5, -0.5, 0.5, -0.5, 0.5, before, 0.5, 0.5, -0.5, 0.5));
-        assertEquals(0.75 / 4, seen.share(), 1e-15);
+        assertEquals(0.75 / 4, seen.fraction(), 1e-15);
     }
 }

@@ -37,7 +37,7 @@ class IdLevelGlTest {
     void theChoiceAsksForValuesAsTheyAre() {
         var level = new LevelName("levels/samples/walking.json").open().level();
         assertEquals(Output.PLAIN, new QualityChoice("high", Map.of("debug", "ids")).output(level));
-        assertEquals(level, new QualityChoice("high", Map.of()).shown(level));
+        assertEquals(level, new QualityChoice("high", Map.of()).drawn(level));
     }
 
     private static Set<Integer> colours(OpenedLevel opened) {

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 import nephele.engine.sim.Simulation;
@@ -91,9 +91,9 @@ class ObserverReplayTest {
     @Test
     void finerBoundsAreTouchedLater() {
         int before = 0;
-        for (Bounds kind : List.of(Bounds.BOX, Bounds.ORIENTED_BOX, Bounds.TREE, Bounds.TRIANGLES)) {
+        for (Bound kind : List.of(Bound.BOX, Bound.ORIENTED_BOX, Bound.TREE, Bound.TRIANGLES)) {
             Playthrough walk = walk(new Held(PlayerInput.FORWARD));
-            while (walk.observer().shown() != kind) {
+            while (walk.observer().touchable() != kind) {
                 walk.changePerson();
             }
             List<ObserverSphere> seen = spheres(walk, 240);

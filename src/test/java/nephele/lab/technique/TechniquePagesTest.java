@@ -163,9 +163,9 @@ class TechniquePagesTest {
     void aPictureIsDrawnByTheNamedTechnique() throws IOException {
         Level written = LevelFile.read(Path.of("levels/samples/clouds-skyplane.json"));
         var command = PictureCommand.of("levels/samples/clouds-skyplane.json --technique volume --set cloudStep=2");
-        Environment shown = command.shown(written).environment();
+        Environment shown = command.drawn(written).environment();
         WeatherClouds.all(shown).forEach(cloud -> assertEquals(CloudTechnique.VOLUME, cloud.technique()));
-        assertEquals(written, PictureCommand.of("x.json --time 3").shown(written));
+        assertEquals(written, PictureCommand.of("x.json --time 3").drawn(written));
         assertEquals(3, PictureCommand.of("x.json --time 3").seconds());
         assertEquals("2", command.quality().settings().get("cloudStep"));
     }

@@ -42,7 +42,7 @@ class CurveFrameTest {
     void anAlignedFrameLooksAlongTheCurveUprightAndUnskewed() {
         List<Vec3> points = random(new Random(8), 9);
         CurveFrame curve = new CurveFrame(points);
-        CatmullRom loop = CatmullRom.uniformLoop(points);
+        CatmullRom loop = new CatmullRom(points);
         for (double at = 0; at < 1; at += 0.003) {
             Matrix4d frame = new Matrix4d();
             curve.carryAligned(at, frame, new Matrix4d());

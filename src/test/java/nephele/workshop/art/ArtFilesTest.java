@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.asset.VoxelGrid;
 import nephele.workshop.art.bench.BenchPixels;
 import nephele.workshop.art.material.TextureRecipe;
 import nephele.workshop.art.paint.Surface;
@@ -83,10 +84,13 @@ class ArtFilesTest {
     }
 
     @Test
-    void committedMeshesAreWhatTheCodeMakes() throws IOException {
-        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
-            assertArrayEquals(mesh.getValue(), Files.readAllBytes(Path.of("assets", mesh.getKey())), mesh.getKey());
+    void committedSamplesAreWhatTheCodeMakes() throws IOException {
+        for (Map.Entry<String, byte[]> sample : SampleFiles.all().entrySet()) {
+            byte[] file = Files.readAllBytes(Path.of("assets", sample.getKey()));
+            assertArrayEquals(sample.getValue(), file, sample.getKey() + ": run gradle textures");
         }
+        String grid = "clouds/heap.vol";
+        VoxelGrid.read(grid, Files.readAllBytes(Path.of("assets", grid)));
     }
 
     @Test

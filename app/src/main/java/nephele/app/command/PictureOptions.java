@@ -94,7 +94,7 @@ final class PictureOptions {
         var choice = choice();
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
-        var shown = choice.shown(opened);
+        var shown = choice.drawn(opened);
         return LevelRenderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }
 

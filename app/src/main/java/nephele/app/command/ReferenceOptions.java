@@ -187,7 +187,7 @@ public final class ReferenceOptions {
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors(),
                 transport(picture));
-        var shown = at(picture.choice().shown(viewed.opened), viewed.seconds);
+        var shown = at(picture.choice().drawn(viewed.opened), viewed.seconds);
         var level = viewed.opened.reporting(() -> TracedLevel.of(shown, decoding, viewed.seconds));
         var eye = TracedPictures.pinhole(viewed.view);
         var facts = TracedPictures.facts(

@@ -118,7 +118,7 @@ final class Display implements AutoCloseable {
         drawOverlay(content, picture, shot);
         cost.submitted();
         window.show();
-        cost.shown();
+        cost.presented();
     }
 
     /**

@@ -16,7 +16,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
-import nephele.engine.level.Level.Observer.Bounds;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.sim.state.TickEvent;
 import nephele.host.named.LevelTitles;
@@ -239,7 +239,7 @@ final class GamePicture {
         ObserverSphere sphere = walk.frameState().observer();
         Phrase contact = sphere.touches() ? Phrase.BOUNDS_TOUCHED : Phrase.BOUNDS_APART;
         return new Banner(
-                boundsPhrase(walk.observer().shown()).in(language) + ": " + contact.in(language),
+                boundsPhrase(walk.observer().touchable()).in(language) + ": " + contact.in(language),
                 movingKeys(keys) + ": " + Phrase.OBSERVER_MOVES.in(language) + "   " + keys.inSentence(Control.PERSON)
                         + ": " + Phrase.BOUNDS_NEXT.in(language));
     }
@@ -252,7 +252,7 @@ final class GamePicture {
                         .collect(Collectors.joining(" "));
     }
 
-    private static Phrase boundsPhrase(Bounds bounds) {
+    private static Phrase boundsPhrase(Bound bounds) {
         return switch (bounds) {
             case SPHERE -> Phrase.BOUNDS_SPHERE;
             case BOX -> Phrase.BOUNDS_BOX;

@@ -130,7 +130,7 @@ final class Session implements AutoCloseable {
 
     /** Starts to bake the light that the level lacks; see {@link FollowingBake}. */
     FollowingBake bake() {
-        return FollowingBake.begin(prepared.scene(), request.chosenQuality().shown(prepared.opened()));
+        return FollowingBake.begin(prepared.scene(), request.chosenQuality().drawn(prepared.opened()));
     }
 
     /** Returns the replay since the start or the last restart, with its track: it is simulated again. */

@@ -21,7 +21,6 @@ import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.light.bake.SkyVisibility;
-import nephele.engine.sim.player.FreeStart;
 import nephele.engine.sim.state.PlayerState;
 import nephele.host.draw.FollowingBake;
 import nephele.host.draw.Preparation;
@@ -210,8 +209,7 @@ public final class WaitingGame implements AutoCloseable {
             }
         }
         var prepared = preparation.get();
-        PlayerStart from =
-                order.from() == null ? null : FreeStart.near(prepared.world().statics(), order.from());
+        PlayerStart from = order.from() == null ? null : prepared.world().freeStart(order.from());
         auto.levelBegins(request, pixels());
         current.become(Session.load(gl, request.from(from), prepared, input, auto.of(request)));
         return true;

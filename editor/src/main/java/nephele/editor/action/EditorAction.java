@@ -9,7 +9,7 @@ import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 
 /**
- * Something that a user can do.
+ * An action of the editor: its names, its place in the menus, its keys, and its effect.
  *
  * @param id its name in scripts and in the settings' key bindings
  * @param keys default keys as {@code KeyText} reads them, such as {@code Ctrl+Shift+D}

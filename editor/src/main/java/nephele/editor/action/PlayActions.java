@@ -12,7 +12,7 @@ import nephele.editor.session.EditorSession;
 import nephele.editor.text.EditorRefusal;
 import nephele.editor.text.Words;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.sim.player.FreeStart;
+import nephele.engine.sim.state.SimLevel;
 
 /** Playing the level as it is, from the camera's place or from its start, and recording a solution. */
 final class PlayActions {
@@ -49,7 +49,7 @@ final class PlayActions {
     /** Returns the start below the camera of the perspective pane. */
     private static PlayerStart here(EditorSession session) {
         PerspectiveCamera camera = session.panes().eye();
-        return FreeStart.below(camera.eye(), camera.yawDegrees(), camera.pitchDegrees());
+        return SimLevel.startBelow(camera.eye(), camera.yawDegrees(), camera.pitchDegrees());
     }
 
     private static void record(ActionCall call) throws EditorRefusal {

@@ -22,19 +22,6 @@ public final class BrushCheck {
 
     private BrushCheck() {}
 
-    /** Returns why a solid is degenerate, in English; empty for a valid one. */
-    public static Optional<String> reason(Solid solid) {
-        Optional<BrushText> refusal = refusal(solid);
-        if (refusal.isPresent() && refusal.get() == BrushText.NOT_SOLID) {
-            try {
-                Brush.of(solid);
-            } catch (IllegalArgumentException reported) {
-                return Optional.of(reported.getMessage());
-            }
-        }
-        return refusal.map(why -> why.words().english());
-    }
-
     /** Returns why a solid is degenerate; empty for a valid one. */
     public static Optional<BrushText> refusal(Solid solid) {
         ConvexPolyhedron shape;

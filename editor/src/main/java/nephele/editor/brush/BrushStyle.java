@@ -1,6 +1,5 @@
 package nephele.editor.brush;
 
-import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 
 /**
@@ -10,9 +9,4 @@ import nephele.engine.level.TextureMapping;
  */
 public record BrushStyle(String material, boolean portalable, TextureMapping textureMapping) {
     public static final BrushStyle PLAIN = new BrushStyle(null, false, TextureMapping.WORLD);
-
-    /** Returns the properties of a solid. */
-    public static BrushStyle of(Solid solid) {
-        return new BrushStyle(solid.material(), solid.portalable(), solid.textureMapping());
-    }
 }

@@ -9,11 +9,9 @@ import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.BoxFace;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
 import nephele.engine.level.appearance.SolidFaces;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -111,36 +109,20 @@ public final class SolidTransform {
 
     /** Returns the solid scaled from the pivot; negative factors mirror it. */
     public static BrushEdit<Solid> scaled(Solid solid, Vec3 pivot, Vec3 factors) {
-        return scaled(solid, new AxisScale(factors, pivot, pivot));
-    }
-
-    /** Returns the solid scaled and moved so that its bounds are the given ones. */
-    public static BrushEdit<Solid> resized(Solid solid, Aabb bounds) {
-        Aabb before = Brush.of(solid).shape().bounds();
-        Vec3 old = ExactNumber.size(before);
-        Vec3 size = ExactNumber.size(bounds);
-        Vec3 factors = new Vec3(size.x() / old.x(), size.y() / old.y(), size.z() / old.z());
-        if (solid instanceof Solid.Box box && Math.min(size.x(), Math.min(size.y(), size.z())) > 0) {
-            return BrushCheck.checked(placed(box, ExactNumber.centre(bounds), size));
-        }
-        return scaled(solid, new AxisScale(factors, before.centre(), bounds.centre()));
-    }
-
-    private static BrushEdit<Solid> scaled(Solid solid, AxisScale scale) {
-        Vec3 f = scale.factors();
-        if (!(f.x() * f.y() * f.z() != 0)) {
+        AxisScale scale = new AxisScale(factors, pivot);
+        if (!(factors.x() * factors.y() * factors.z() != 0)) {
             return BrushEdit.refused(BrushText.FLAT);
         }
         if (solid instanceof Solid.Box box) {
             return BrushCheck.checked(
                     placed(withFaces(box, scale::side), scale.point(box.centre()), scale.size(box.size())));
-        } else if (solid instanceof Solid.Wedge wedge && f.y() > 0) {
+        } else if (solid instanceof Solid.Wedge wedge && factors.y() > 0) {
             Solid.Wedge turned = withFaces(wedge, scale::side);
             BoxFace rising = scale.side(wedge.rising());
             return BrushCheck.checked(placed(turned, rising, scale.point(wedge.centre()), scale.size(wedge.size())));
-        } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, f)) {
+        } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, factors)) {
             Vec3 size = scale.size(new Vec3(prism.radiusMetres(), prism.heightMetres(), 0));
-            Solid.Prism mirrored = mirrored(prism, f);
+            Solid.Prism mirrored = mirrored(prism, factors);
             return BrushCheck.checked(placed(mirrored, scale.point(prism.centre()), size.x(), size.y()));
         }
         return PlaneForm.rebuilt(eachPlane(PlaneForm.of(solid), scale::plane));
@@ -233,13 +215,13 @@ public final class SolidTransform {
     }
 
     /**
-     * A scaling along the axes of the world: each coordinate p becomes factor · (p − from) + to.
+     * A scaling along the axes of the world: each coordinate p becomes factor · (p − pivot) + pivot.
      *
      * @param factors none of them 0; negative ones mirror
      */
-    private record AxisScale(Vec3 factors, Vec3 from, Vec3 to) {
+    private record AxisScale(Vec3 factors, Vec3 pivot) {
         Vec3 point(Vec3 p) {
-            return ExactNumber.clean(times(p.minus(from)).plus(to), ExactNumber.OF_SUMS);
+            return ExactNumber.clean(times(p.minus(pivot)).plus(pivot), ExactNumber.OF_SUMS);
         }
 
         Vec3 size(Vec3 size) {
@@ -261,8 +243,8 @@ public final class SolidTransform {
             Plane before = PlaneForm.plane(face);
             Vec3 inverse = new Vec3(before.nx() / factors.x(), before.ny() / factors.y(), before.nz() / factors.z());
             Vec3 normal = Plane.of(inverse, 0).normal();
-            Vec3 on =
-                    times(before.normal().scaled(before.distance()).minus(from)).plus(to);
+            Vec3 on = times(before.normal().scaled(before.distance()).minus(pivot))
+                    .plus(pivot);
             PlaneFace moved = PlaneForm.canonical(Plane.through(normal, on));
             double distance = PlaneForm.isAlongAxis(moved.normal())
                     ? ExactNumber.clean(moved.distanceMetres(), ExactNumber.OF_SUMS)

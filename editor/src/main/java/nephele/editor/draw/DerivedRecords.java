@@ -6,7 +6,7 @@ import java.util.function.Function;
 import nephele.engine.math.IdentityDiff;
 
 /**
- * A list that follows from another one, element by element. Elements that an edit kept give the same objects as before.
+ * Derives a list from another one, element by element. Elements that an edit kept give the same objects as before.
  *
  * @param <A> what it follows from
  * @param <B> what follows

@@ -83,7 +83,7 @@ final class GroundLines {
             return new Lines(minor, major, List.of());
         }
         ContourLines.add(view.camera, view.size, view.field, minor, major);
-        List<Label> labels = of(major, view.camera, view.size, view.field);
+        List<Label> labels = labels(major, view.camera, view.size, view.field);
         border(view, major);
         return new Lines(minor, major, labels);
     }
@@ -109,7 +109,7 @@ final class GroundLines {
     record Label(double metres, double x, double y) {}
 
     /** @param lines the stronger contour lines of the field in the picture */
-    static List<Label> of(PlanSegments lines, PlanCamera camera, PaneSize size, HeightField field) {
+    static List<Label> labels(PlanSegments lines, PlanCamera camera, PaneSize size, HeightField field) {
         double interval = ContourLines.interval(camera, size, field);
         Map<Long, Label> nearest = new TreeMap<>();
         for (int i = 0; interval > 0 && i < lines.count(); i++) {

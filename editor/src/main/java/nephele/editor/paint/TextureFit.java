@@ -98,39 +98,9 @@ public final class TextureFit {
         return middle.addScaled(-from.face().plane().signedDistance(middle) / slope, inPlane);
     }
 
-    /** Returns the placement with the picture dragged along the face. */
-    public static TexturePlacement dragged(PaintedFace face, Vec3 byMetres) {
-        return PictureMapping.of(face).moved(RigidMove.shift(byMetres)).placementOn(face);
-    }
-
-    /**
-     * Returns the placement with the picture turned about a point of the face.
-     *
-     * @param degrees counter-clockwise as seen from outside
-     */
-    public static TexturePlacement turned(PaintedFace face, double degrees, Vec3 about) {
-        TexturePlacement now = face.placement();
-        double turned = (now.rotationDegrees() + degrees) % 360;
-        return keeping(face, about, new TexturePlacement(0, 0, turned, now.scaleU(), now.scaleV()));
-    }
-
-    /** Returns the placement with the picture scaled about a point of the face; negative factors mirror it. */
-    public static TexturePlacement scaled(PaintedFace face, double factorU, double factorV, Vec3 about) {
-        TexturePlacement now = face.placement();
-        return keeping(
-                face,
-                about,
-                new TexturePlacement(0, 0, now.rotationDegrees(), now.scaleU() * factorU, now.scaleV() * factorV));
-    }
-
     /** Returns the point of the picture that a face shows at a point of its plane. */
     public static TextureCoordinates uvAt(PaintedFace face, Vec3 point) {
         return PictureMapping.of(face).at(point);
-    }
-
-    private static TexturePlacement keeping(PaintedFace face, Vec3 point, TexturePlacement wanted) {
-        PaintedFace changed = face.with(wanted);
-        return PictureMapping.of(changed).with(point, uvAt(face, point)).placementOn(changed);
     }
 
     /**

@@ -1,6 +1,6 @@
 package nephele.editor.pane;
 
-/** The view of a pane. */
+/** The kind of a pane's view: a perspective, or one of three plans. */
 public enum PaneKind {
     /** A perspective view from any place. */
     PERSPECTIVE,

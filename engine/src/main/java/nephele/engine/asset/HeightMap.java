@@ -141,7 +141,7 @@ public record HeightMap(int columns, int rows, int bits, short[] values) {
         if (size != null) {
             requireSize(assetId, size.width(), size.height());
         }
-        Picture picture = PictureDecoder.decode(assetId, bytes, PictureLimits.HEIGHTS);
+        Picture picture = PictureDecoder.decode(assetId, bytes, PictureDecoder.Limits.HEIGHTS);
         return new HeightMap(picture.width(), picture.height(), picture.bitsPerChannel(), values(picture));
     }
 

@@ -56,7 +56,7 @@ public record LayerMap(int columns, int rows, byte[] texels) {
                     format == null ? "is no picture" : "is a " + format + " picture",
                     "a layer map is a PNG of 8 bits, grey with alpha");
         }
-        Picture picture = PictureDecoder.decode(assetId, bytes, PictureLimits.LAYERS);
+        Picture picture = PictureDecoder.decode(assetId, bytes, PictureDecoder.Limits.LAYERS);
         if (picture.channels() != GREY_AND_ALPHA || picture.bitsPerChannel() != 8) {
             throw new AssetException(
                     assetId,

@@ -12,6 +12,33 @@ public final class PictureDecoder {
     /** Maximum plausible ratio of pixel bytes to file bytes; OpenImageIO's limit (its pull request 5319). */
     private static final int MAX_EXPANSION = 10_000;
 
+    /**
+     * The largest picture that is decoded, and what for.
+     *
+     * @param isColour true if the numbers are colours, which become sRGB; false if they are kept as stored
+     * @param saved the kind of file that messages recommend
+     */
+    record Limits(int sidePixels, long pixels, int fileBytes, boolean isColour, String saved) {
+        /** The limits of pictures that are drawn. */
+        static final Limits DRAWN = new Limits(MAX_SIDE_PIXELS, 64L << 20, 64 << 20, true, "8-bit PNG");
+
+        /** The limits of pictures of numbers. */
+        static final Limits NUMBERS =
+                new Limits(DRAWN.sidePixels(), DRAWN.pixels(), DRAWN.fileBytes(), false, DRAWN.saved());
+
+        /** The limits of height maps. */
+        static final Limits HEIGHTS = new Limits(
+                HeightMap.MOST_SAMPLES,
+                (long) HeightMap.MOST_SAMPLES * HeightMap.MOST_SAMPLES,
+                FolderAssets.MAX_FILE_BYTES,
+                false,
+                "16-bit PNG");
+
+        /** The limits of layer maps. */
+        static final Limits LAYERS = new Limits(
+                HEIGHTS.sidePixels(), HEIGHTS.pixels(), HEIGHTS.fileBytes(), false, "8-bit grey PNG with alpha");
+    }
+
     private PictureDecoder() {}
 
     /**
@@ -22,7 +49,7 @@ public final class PictureDecoder {
      */
     public static Picture decode(String assetId, byte[] bytes) throws AssetException {
         SwingThread.refuse("reading a picture");
-        return decode(assetId, bytes, PictureLimits.DRAWN);
+        return decode(assetId, bytes, Limits.DRAWN);
     }
 
     /**
@@ -33,10 +60,10 @@ public final class PictureDecoder {
      */
     public static Picture decodeNumbers(String assetId, byte[] bytes) throws AssetException {
         SwingThread.refuse("reading a picture");
-        return decode(assetId, bytes, PictureLimits.NUMBERS);
+        return decode(assetId, bytes, Limits.NUMBERS);
     }
 
-    static Picture decode(String assetId, byte[] bytes, PictureLimits limits) throws AssetException {
+    static Picture decode(String assetId, byte[] bytes, Limits limits) throws AssetException {
         PictureFormat format = PictureFormat.of(assetId, bytes);
         if (format == null) {
             throw new AssetException(assetId, "is not a picture", "use a PNG, JPEG, BMP or TGA file");
@@ -94,7 +121,7 @@ public final class PictureDecoder {
         return profile == null ? stored : ColourProfile.toSrgb(stored, profile);
     }
 
-    private static void checkHeader(String assetId, PictureFormat format, byte[] bytes, PictureLimits limits) {
+    private static void checkHeader(String assetId, PictureFormat format, byte[] bytes, Limits limits) {
         if (bytes.length > limits.fileBytes()) {
             throw new AssetException(
                     assetId, "has more than " + (limits.fileBytes() >> 20) + " MiB", "make the picture smaller");

@@ -263,8 +263,8 @@ public final class ErrorTable {
             for (int i = 1; i < axis.length; i++) {
                 if (value < axis[i]) {
                     double from = scale(axis[i - 1], isLogarithmic);
-                    double share = (scale(value, isLogarithmic) - from) / (scale(axis[i], isLogarithmic) - from);
-                    return i - 1 + Math.max(0, share);
+                    double fraction = (scale(value, isLogarithmic) - from) / (scale(axis[i], isLogarithmic) - from);
+                    return i - 1 + Math.max(0, fraction);
                 }
             }
             return axis.length - 1;

@@ -3,10 +3,14 @@ package nephele.engine.collision;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
@@ -60,18 +64,10 @@ public final class CollisionWorld {
      * Builds a world: first solids and convex models, then each triangle of other models, then each triangle of the
      * ground.
      */
-    public static CollisionWorld of(StaticShapes statics) {
-        StaticColliders sorted = StaticColliders.of(statics);
-        return of(statics, new ColliderSet.Listed(sorted.listed()), sorted.ground());
-    }
-
-    private static CollisionWorld of(
-            StaticShapes statics, ColliderSet.Listed listed, List<StaticShape.HeightGrid> ground) {
-        CollisionWorld world = new CollisionWorld(listed, null, ALL, statics);
-        for (StaticShape.HeightGrid grid : ground) {
-            world = world.with(grid);
-        }
-        return world;
+    public static CollisionWorld of(StaticShapes shapes) {
+        CollisionWorld nothing =
+                new CollisionWorld(new ColliderSet.Listed(List.of()), null, ALL, StaticShapes.of(List.of()));
+        return nothing.edited(shapes);
     }
 
     /**
@@ -87,11 +83,82 @@ public final class CollisionWorld {
         if (others == statics) {
             return this;
         }
-        StaticColliders sorted = StaticColliders.edited(others, statics, this);
         ColliderSet.Listed before = listed();
-        ColliderSet.Listed now = before.edited(sorted.listed());
-        boolean isSame = now == before && others.ground().equals(statics.ground());
-        return isSame ? this : of(others, now, sorted.ground());
+        ColliderSet.Listed now = before.edited(colliders(others));
+        if (now == before && others.ground().equals(statics.ground())) {
+            return this;
+        }
+        CollisionWorld world = new CollisionWorld(now, null, ALL, others);
+        for (StaticShape.HeightGrid grid : others.ground()) {
+            world = world.with(grid);
+        }
+        return world;
+    }
+
+    /** Returns the colliders of shapes that are not ground, the convex ones first; those of this world are reused. */
+    private List<Collider> colliders(StaticShapes shapes) {
+        int[] placeOfSolid = IdentityDiff.previousIndices(statics.solids(), shapes.solids());
+        int[] placeOfModel = IdentityDiff.previousIndices(triangles(statics), triangles(shapes));
+        int[] itemOfModel = itemOfModel(statics);
+        List<Collider> convex = new ArrayList<>();
+        List<Collider> sheets = new ArrayList<>();
+        shapes.forEach(
+                hull -> {
+                    int index = hull.index();
+                    int place = placeOfSolid[index];
+                    // A solid with a changed surface is another brush of the same shape, at the same place.
+                    boolean isReplaced = place == IdentityDiff.NEW
+                            && index < statics.solids().size();
+                    convex.add(collider(isReplaced ? index : place, hull.brush()));
+                },
+                mesh -> {
+                    PlacedModel model = mesh.model();
+                    int place = placeOfModel[model.index()];
+                    int item = place == IdentityDiff.NEW ? IdentityDiff.NEW : itemOfModel[place];
+                    if (model.solid() != null) {
+                        convex.add(collider(item, model.solid()));
+                    } else if (item == IdentityDiff.NEW) {
+                        sheets.addAll(Collider.triangles(model.authored().id(), model.triangles()));
+                    } else {
+                        for (int i = 0; i < model.triangles().count(); i++) {
+                            sheets.add(collider(item + i));
+                        }
+                    }
+                },
+                grid -> {});
+        convex.addAll(sheets);
+        return convex;
+    }
+
+    private static List<WorldTriangles> triangles(StaticShapes shapes) {
+        return shapes.models().all().stream().map(PlacedModel::triangles).toList();
+    }
+
+    /** Returns the first item of each model in the world of some shapes. */
+    private static int[] itemOfModel(StaticShapes shapes) {
+        List<PlacedModel> models = shapes.models().all();
+        int[] items = new int[models.size()];
+        int convexItem = shapes.solids().size();
+        int sheetItem = convexItem + shapes.models().solids().size();
+        for (int i = 0; i < items.length; i++) {
+            boolean isConvex = models.get(i).solid() != null;
+            items[i] = isConvex ? convexItem++ : sheetItem;
+            sheetItem += isConvex ? 0 : models.get(i).triangles().count();
+        }
+        return items;
+    }
+
+    /**
+     * Returns the collider of a brush: one of this world if it has the same id and shape.
+     *
+     * @param item {@link IdentityDiff#NEW} if this world has none
+     */
+    private Collider collider(int item, Brush brush) {
+        Collider known = item == IdentityDiff.NEW ? null : collider(item);
+        boolean isSame = known != null
+                && known.solidId().equals(brush.solidId())
+                && known.shape().equals(brush.shape());
+        return isSame ? known : new Collider(brush.solidId(), brush.shape());
     }
 
     /** Returns the colliders that are not ground, in the world of a level. */

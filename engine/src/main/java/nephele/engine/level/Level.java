@@ -3,6 +3,7 @@ package nephele.engine.level;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
@@ -53,21 +54,12 @@ public record Level(
      * of the eye, and it has another colour while it touches the bounds of a model.
      *
      * @param camera {@code null} for the level's first
-     * @param bounds with which the game begins
+     * @param bounds the volume around a model that the sphere touches, with which the game begins
      */
     public record Observer(
             @Written(text = TextKind.ID, refersTo = "cameras") String camera,
             @Written(absent = "0.5", spatial = Spatial.LENGTH) @Range(min = 0.05, max = 100) double radiusMetres,
-            @Written(absent = "\"sphere\"") Bounds bounds) {
-        /** The volume around a model that the sphere touches; its word in a level file is the name in lower case. */
-        public enum Bounds {
-            SPHERE,
-            BOX,
-            ORIENTED_BOX,
-            TREE,
-            TRIANGLES
-        }
-    }
+            @Written(absent = "\"sphere\"") Bound bounds) {}
 
     /** Returns the centre of the observer's sphere at the start; {@code null} without an observer or a player. */
     public Vec3 observerStart() {

@@ -61,10 +61,10 @@ public final class Directions {
      * Rotates unit vector {@code from} towards unit vector {@code to}. Opposite directions rotate around the axis that
      * {@link #perpendicular} returns.
      *
-     * @param share fraction of the angle, clamped to 0 … 1
+     * @param fraction of the angle, clamped to 0 … 1
      */
-    public static Vec3 slerp(Vec3 from, Vec3 to, double share) {
-        double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
+    public static Vec3 slerp(Vec3 from, Vec3 to, double fraction) {
+        double t = Double.isNaN(fraction) ? 0 : Math.max(0, Math.min(1, fraction));
         double angle = angle(from, to);
         if (angle < 1e-3) {
             return unit(from.lerp(to, t));

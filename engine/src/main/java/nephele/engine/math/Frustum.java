@@ -1,6 +1,5 @@
 package nephele.engine.math;
 
-import java.util.Arrays;
 import org.joml.Matrix4dc;
 
 /**
@@ -68,14 +67,6 @@ public final class Frustum {
     /** Returns a frustum without planes. */
     public static Frustum everything() {
         return new Frustum(new double[0], 0, 0, 0, 0);
-    }
-
-    /** Returns this frustum with the half space in front of {@code plane}, in world coordinates, added. */
-    public Frustum inFrontOf(Plane plane) {
-        double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);
-        Frustum cut = new Frustum(more, count, eyeX, eyeY, eyeZ);
-        cut.keepInFrontOf(plane);
-        return cut;
     }
 
     /** Returns an empty frustum with room for a number of half spaces, to be refilled every frame. */

@@ -61,10 +61,10 @@ public final class Rotations {
      * section 3.3), with the angle from atan2. The shorter arc is at most a quarter turn of quaternion space, so no
      * pair is antipodal; for a half turn the signs given decide the direction.
      *
-     * @param share clamped to 0 … 1
+     * @param fraction clamped to 0 … 1
      */
-    public static Quaterniond slerp(Quaterniondc from, Quaterniondc to, double share) {
-        double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
+    public static Quaterniond slerp(Quaterniondc from, Quaterniondc to, double fraction) {
+        double t = Double.isNaN(fraction) ? 0 : Math.max(0, Math.min(1, fraction));
         Quaterniond a = normalised(from);
         Quaterniond b = normalised(to);
         if (dot(a, b) < 0) {

@@ -44,9 +44,9 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(x + factor * v.x, y + factor * v.y, z + factor * v.z);
     }
 
-    /** Returns this + {@code share} · ({@code to} − this): the linear interpolation from this to {@code to}. */
-    public Vec3 lerp(Vec3 to, double share) {
-        return new Vec3(x + (to.x - x) * share, y + (to.y - y) * share, z + (to.z - z) * share);
+    /** Returns this + {@code fraction} · ({@code to} − this): the linear interpolation from this to {@code to}. */
+    public Vec3 lerp(Vec3 to, double fraction) {
+        return new Vec3(x + (to.x - x) * fraction, y + (to.y - y) * fraction, z + (to.z - z) * fraction);
     }
 
     /** Returns the dot product. */

@@ -71,9 +71,4 @@ public record Interval(double low, double estimate, double high) {
         int half = values.length / 2;
         return values.length % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
     }
-
-    /** Returns true if {@code value} is outside of the interval. */
-    public boolean excludes(double value) {
-        return value < low || value > high;
-    }
 }

@@ -21,11 +21,6 @@ public final class ParetoFront {
                         "a choice needs a finite cost and error, not " + cost + ", " + error);
             }
         }
-
-        /** Returns a choice with an exact cost, such as a count. */
-        public static Choice exact(double cost, double error) {
-            return new Choice(new Interval(cost, cost, cost), error);
-        }
     }
 
     /**
@@ -38,10 +33,6 @@ public final class ParetoFront {
         this.choices = List.copyOf(choices);
         this.errorStep = errorStep;
         this.costStep = costStep;
-    }
-
-    public boolean contains(int index) {
-        return dominating(index).isEmpty();
     }
 
     /**

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
@@ -20,32 +19,28 @@ import org.joml.Vector3dc;
  * of repeats around it, and the middle at half its height. The twin of {@code dynamic.frag}.
  */
 final class BodySurfaces {
-    private final List<Clothed> bodies;
+    /** The material of each body. */
+    private final List<Skin> skins;
 
-    /**
-     * The material of a body.
-     *
-     * @param faces in the order of {@link nephele.engine.math.ConvexPolyhedron#box}; none for a round body
-     */
-    private record Clothed(Skin skin, List<FaceTexture> faces) {}
+    /** The textures of each body's faces in the order of {@link nephele.engine.math.ConvexPolyhedron#box}; none if it is round. */
+    private final List<List<FaceTexture>> faces;
 
     BodySurfaces(List<Body> bodies, MaterialTextures textures) {
-        this.bodies = bodies.stream()
-                .map(body -> clothed(body, textures.skin(body.material())))
+        skins = bodies.stream().map(body -> textures.skin(body.material())).toList();
+        faces = bodies.stream()
+                .map(body ->
+                        faces(body, textures.skin(body.material()).material().textureMetres()))
                 .toList();
     }
 
-    private static Clothed clothed(Body body, Skin skin) {
+    private static List<FaceTexture> faces(Body body, double textureMetres) {
         if (!(body instanceof Body.Box box)) {
-            return new Clothed(skin, List.of());
+            return List.of();
         }
         Solid solid = new Solid.Box(null, null, false, TextureMapping.WORLD, Vec3.ZERO, box.size(), Map.of());
-        List<BrushFace> faces = Brush.of(solid).faces();
-        return new Clothed(
-                skin,
-                faces.stream()
-                        .map(face -> FaceTexture.of(face, skin.material().textureMetres()))
-                        .toList());
+        return Brush.of(solid).faces().stream()
+                .map(face -> FaceTexture.of(face, textureMetres))
+                .toList();
     }
 
     /**
@@ -54,13 +49,14 @@ final class BodySurfaces {
      * @param toEye unit
      */
     SurfacePoint at(int item, BodyPiece piece, Vec3 place, Vector3dc toEye) {
-        Clothed body = bodies.get(piece.body());
+        Skin skin = skins.get(piece.body());
+        List<FaceTexture> ofBody = faces.get(piece.body());
         Vector3d local = piece.local(place);
         Vector3d normal = piece.worldFromBody().transform(piece.form().normal(local));
-        Spot spot = body.faces.isEmpty()
-                ? aroundSpot(body.skin, (BodyShape.Capsule) piece.form(), piece, local)
-                : faceSpot(body.faces.get(piece.form().face(local)), piece, local);
-        return MaterialTextures.covered(new Bare(item, place, normal, toEye), body.skin, spot);
+        Spot spot = ofBody.isEmpty()
+                ? aroundSpot(skin, (BodyShape.Capsule) piece.form(), piece, local)
+                : faceSpot(ofBody.get(piece.form().face(local)), piece, local);
+        return MaterialTextures.covered(new Bare(item, place, normal, toEye), skin, spot);
     }
 
     private static Spot faceSpot(FaceTexture texture, BodyPiece piece, Vector3d local) {

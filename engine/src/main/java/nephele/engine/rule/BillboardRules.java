@@ -12,9 +12,9 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.billboard.FieldPlanting;
+import nephele.engine.level.billboard.PlantedModels;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.level.planted.PlantedModels;
 
 /** Rules for billboards: where they stand, what their pictures hold, and whether fields have room for them. */
 final class BillboardRules {

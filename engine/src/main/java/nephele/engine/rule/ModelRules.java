@@ -11,11 +11,11 @@ import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Problem.Topic;
+import nephele.engine.level.billboard.PlantedModels;
 import nephele.engine.level.placed.LevelRule;
 import nephele.engine.level.placed.MeshAssets;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
-import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.model.Mesh;
 
 /** Rules for models: parents form no cycle, meshes can be read, and impostors show what was meant and are few. */

@@ -5,9 +5,7 @@ import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 
@@ -18,22 +16,23 @@ final class BatchBuilder {
 
     private final Vec3 origin;
     private final int slots;
-    private final Map<Key, Growing> batches = new LinkedHashMap<>();
+    private final List<Growing> batches = new ArrayList<>();
 
     private Growing last;
-    private SolidBatch.Form lastForm;
     private int lastMaterial;
-
-    private record Key(SolidBatch.Form form, SolidBatch.Kind kind, Vec3 cellOrigin) {}
 
     /** A batch to which triangles are still being added. */
     static final class Growing {
+        private final SolidBatch.Form form;
+        private final SolidBatch.Kind kind;
         private final Vec3 cell;
         private int[] indices = new int[64];
         private int size;
         private final int[] ends;
 
-        private Growing(Vec3 cell, int slots) {
+        private Growing(SolidBatch.Form form, SolidBatch.Kind kind, Vec3 cell, int slots) {
+            this.form = form;
+            this.kind = kind;
             this.cell = cell;
             ends = new int[slots];
         }
@@ -72,7 +71,16 @@ final class BatchBuilder {
 
     /** Returns the batch that corresponds to one of another mesh, or {@code null} if it is still empty. */
     Growing known(SolidBatch like) {
-        return batches.get(new Key(like.form(), like.kind(), like.cellOrigin()));
+        return known(like.form(), like.kind(), like.cellOrigin());
+    }
+
+    private Growing known(SolidBatch.Form form, SolidBatch.Kind kind, Vec3 cell) {
+        for (Growing batch : batches) {
+            if (batch.form == form && batch.kind.equals(kind) && batch.cell.equals(cell)) {
+                return batch;
+            }
+        }
+        return null;
     }
 
     /**
@@ -89,9 +97,8 @@ final class BatchBuilder {
     /** Returns the batch for faces of a material near a position. */
     Growing batch(SolidBatch.Form form, Surface surface, int material, Vec3 place) {
         Vec3 cell = cellOf(place);
-        if (last == null || lastForm != form || lastMaterial != material || !last.cell.equals(cell)) {
+        if (last == null || last.form != form || lastMaterial != material || !last.cell.equals(cell)) {
             last = found(form, surface, material, cell);
-            lastForm = form;
             lastMaterial = material;
         }
         return last;
@@ -103,7 +110,13 @@ final class BatchBuilder {
                 surface.colour().array(),
                 surface.normal().array(),
                 material / SolidGeometry.MATERIALS_PER_BLOCK);
-        return batches.computeIfAbsent(new Key(form, kind, cell), key -> new Growing(cell, slots));
+        Growing known = known(form, kind, cell);
+        if (known != null) {
+            return known;
+        }
+        Growing made = new Growing(form, kind, cell, slots);
+        batches.add(made);
+        return made;
     }
 
     private Vec3 cellOf(Vec3 p) {
@@ -115,22 +128,22 @@ final class BatchBuilder {
 
     /** Ends a slot; call it for each slot in order, after all its triangles have been added. */
     void endSlot(int slot) {
-        for (Growing batch : batches.values()) {
+        for (Growing batch : batches) {
             batch.ends[slot] = batch.size;
         }
     }
 
     /** Returns the indices of all batches, one batch after the other, and appends the batches to {@code done}. */
     IntBuffer finish(List<SolidBatch> done) {
-        int total = batches.values().stream().mapToInt(b -> b.size).sum();
+        int total = batches.stream().mapToInt(b -> b.size).sum();
         IntBuffer indices = ByteBuffer.allocateDirect(4 * total)
                 .order(ByteOrder.nativeOrder())
                 .asIntBuffer();
         List<SolidBatch> finished = new ArrayList<>();
-        batches.forEach((key, batch) -> {
-            finished.add(new SolidBatch(key.form, key.kind, key.cellOrigin, indices.position(), batch.ends));
+        for (Growing batch : batches) {
+            finished.add(new SolidBatch(batch.form, batch.kind, batch.cell, indices.position(), batch.ends));
             indices.put(batch.indices, 0, batch.size);
-        });
+        }
         done.addAll(finished);
         return indices.flip();
     }

@@ -87,10 +87,10 @@ public final class PicturePolygon {
         size = kept;
     }
 
-    private int cross(int from, int to, double share, int kept) {
+    private int cross(int from, int to, double fraction, int kept) {
         for (int i = 0; i < 3; i++) {
             double start = corners[3 * from + i];
-            cut[3 * kept + i] = start + share * (corners[3 * to + i] - start);
+            cut[3 * kept + i] = start + fraction * (corners[3 * to + i] - start);
         }
         return kept + 1;
     }
@@ -148,8 +148,8 @@ public final class PicturePolygon {
         return most;
     }
 
-    /** Returns the covered share of the picture; the polygon must be within the picture. */
-    double share() {
+    /** Returns the covered fraction of the picture; the polygon must be within the picture. */
+    double fraction() {
         double twice = 0;
         int from = size - 1;
         for (int to = 0; to < size; to++) {

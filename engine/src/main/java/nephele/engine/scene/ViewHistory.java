@@ -36,7 +36,7 @@ public final class ViewHistory {
         matches.clear();
         crossed = before == null
                 ? null
-                : now.openings().crossed(before.root().view(), now.root().view());
+                : now.crossed(before.root().view(), now.root().view());
         for (int i = 0; i < now.terminals().size(); i++) {
             matches.add(before == null ? null : best(now.terminals().get(i)));
         }

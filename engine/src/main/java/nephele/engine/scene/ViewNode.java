@@ -149,22 +149,22 @@ public final class ViewNode {
         region.copy(outline);
         region.keepWithin(seenIn.region);
         if (!outline.isEmpty() && !region.isEmpty()) {
-            area = region.share() * picture.width() * picture.height();
+            area = region.fraction() * picture.width() * picture.height();
             pixels.around(region, picture.width(), picture.height(), seenIn.pixels);
         }
     }
 
     /** Becomes a drawn view, clipped at the opening's exit plane. */
-    void open(ViewTree.Projections projections, PixelRectangle picture) {
-        look(projections);
+    void open(ViewTree tree, PixelRectangle picture) {
+        look(tree);
         terminal = false;
         setFrustum(picture);
     }
 
     /** Sets the view behind the opening. */
-    void look(ViewTree.Projections projections) {
+    void look(ViewTree tree) {
         View before = parent.view;
-        Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
+        Projection projection = tree.pushed(before.projection(), NEAR_SHARE * region.nearest());
         own.setThrough(before, opening, projection);
         view = own;
     }

@@ -5,12 +5,18 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.MirrorFaces;
+import nephele.engine.portal.PortalTransform;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
 
 /**
  * The views that make up one frame: the main view, the views through its openings, the views through the openings in
  * those, and so on. Views are chosen by covered area, the largest first, until a budget is used up or none covers a
  * pixel; the remaining openings are {@link ViewNode#isTerminal terminal}. An opening is visible from its front only,
  * within the openings before it, and in front of the view's clip plane. One object serves all frames.
+ *
+ * <p>Openings are the mirrors of a scene, then its open portals. Ids count the mirrors first, so that a new portal changes
+ * no mirror's id.
  */
 public final class ViewTree {
     /** The greatest depth: the stencil buffer counts to 255. */
@@ -18,22 +24,33 @@ public final class ViewTree {
 
     private static final double LEAST_PIXELS = 1;
 
+    private static final int STEPS_PER_DOUBLE = 16;
+    private static final double LOG_2 = Math.log(2);
+
     private final List<ViewNode> pool = new ArrayList<>();
     private final List<ViewNode> waiting = new ArrayList<>();
     private final List<ViewNode> views = new ArrayList<>();
     private final List<ViewNode> terminals = new ArrayList<>();
     private final PixelRectangle picture = new PixelRectangle();
-    private final Projections projections = new Projections();
-    private final Openings openings;
+    /** The main view's projection, and it with the near plane moved away by steps, each made on first use. */
+    private Projection main;
+
+    private final Projection[] pushed = new Projection[20 * STEPS_PER_DOUBLE];
+    private final List<Opening> mirrors;
+    private final List<Opening> openings = new ArrayList<>();
+    private Portals portals;
+    private FrameState frameState;
+    private final Vector3d start = new Vector3d();
+    private final Vector3d unfolded = new Vector3d();
     private int used;
 
     /**
      * Makes an empty tree.
      *
-     * @param mirrors openings that never change
+     * @param mirrors openings that never change, in the order of their ids, from 0
      */
     public ViewTree(List<Opening> mirrors) {
-        openings = new Openings(mirrors);
+        this.mirrors = List.copyOf(mirrors);
     }
 
     /** Returns true if a level has portals or mirrors, or a portal gun. */
@@ -46,16 +63,19 @@ public final class ViewTree {
      *
      * @param budget greatest number of views besides the main view
      */
-    public void build(View main, FrameState frameState, int width, int height, int budget) {
+    public void build(View mainView, FrameState now, int width, int height, int budget) {
         used = 0;
         waiting.clear();
         views.clear();
         terminals.clear();
         picture.whole(width, height);
-        projections.begin(main.projection());
-        openings.at(frameState);
+        if (!mainView.projection().equals(main)) {
+            main = mainView.projection();
+            Arrays.fill(pushed, null);
+        }
+        find(now);
         ViewNode root = next();
-        root.root(main, width, height);
+        root.root(mainView, width, height);
         views.add(root);
         look(root);
         while (!waiting.isEmpty()) {
@@ -72,13 +92,13 @@ public final class ViewTree {
     }
 
     private void open(ViewNode node) {
-        node.open(projections, picture);
+        node.open(this, picture);
         views.add(node);
     }
 
     /** Ends the tree at a node. Its view is set because the sky is drawn in it. */
     private void end(ViewNode node) {
-        node.look(projections);
+        node.look(this);
         node.terminal(terminals.size());
         terminals.add(node);
     }
@@ -87,7 +107,7 @@ public final class ViewTree {
         for (int i = 0; i < openings.size(); i++) {
             ViewNode seen = next();
             Opening opening = openings.get(i);
-            seen.setOpening(node, opening, openings.openness(opening), picture);
+            seen.setOpening(node, opening, openness(opening), picture);
             if (seen.area() >= LEAST_PIXELS
                     && seen.pixels().width() > 0
                     && seen.pixels().height() > 0) {
@@ -116,11 +136,7 @@ public final class ViewTree {
 
     /** Returns whether the eye has passed through a portal on its way from another view to the main one. */
     public boolean isCrossedSince(View before) {
-        return openings.crossed(before, root().view()) != null;
-    }
-
-    Openings openings() {
-        return openings;
+        return crossed(before, root().view()) != null;
     }
 
     /** Returns the main view. */
@@ -138,44 +154,70 @@ public final class ViewTree {
         return terminals;
     }
 
+    /** Finds the openings of a frame state. */
+    private void find(FrameState now) {
+        frameState = now;
+        if (portals == now.portals()) {
+            return;
+        }
+        portals = now.portals();
+        openings.clear();
+        openings.addAll(mirrors);
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i)) {
+                openings.add(Opening.ofPortal(mirrors.size() + i, portals, i));
+            }
+        }
+    }
+
     /**
-     * The projections of views through openings: the frame's own projection with the near plane moved away. The distances
-     * are quantised to 16 steps per doubling, so that each projection is made once and reused in later frames.
+     * Returns the portal through which an eye has moved on a straight path from one view to another, or {@code null}:
+     * of the portals that such a path passes, the one with the shortest path, if that is shorter than the path through
+     * none.
      */
-    static final class Projections {
-        private static final int STEPS_PER_DOUBLE = 16;
-        private static final double LOG_2 = Math.log(2);
-
-        private final Projection[] pushed = new Projection[20 * STEPS_PER_DOUBLE];
-        private Projection main;
-
-        /** Clears the cache if the main projection has changed. */
-        void begin(Projection newMain) {
-            if (!newMain.equals(main)) {
-                main = newMain;
-                Arrays.fill(pushed, null);
+    Opening crossed(View from, View to) {
+        start.set(from.eyeX(), from.eyeY(), from.eyeZ());
+        double shortest = start.distance(to.eyeX(), to.eyeY(), to.eyeZ());
+        Opening crossed = null;
+        for (int i = mirrors.size(); i < openings.size(); i++) {
+            Opening portal = openings.get(i);
+            PortalTransform back = portals.transform(portals.partner(portal.portal()));
+            if (back != null) {
+                back.point(unfolded.set(to.eyeX(), to.eyeY(), to.eyeZ()));
+                double metres = start.distance(unfolded);
+                if (metres < shortest && portal.isPassed(start, unfolded)) {
+                    shortest = metres;
+                    crossed = portal;
+                }
             }
         }
+        return crossed;
+    }
 
-        /**
-         * Returns the projection with its near plane at the greatest step not beyond {@code metres}, or {@code before} if
-         * that has its near plane at least as far away.
-         */
-        Projection pushed(Projection before, double metres) {
-            double doubles = Math.log(metres / main.nearMetres()) / LOG_2;
-            int step = (int) Math.floor(Math.min(doubles * STEPS_PER_DOUBLE, pushed.length - 1));
-            if (step <= 0 || atStep(step).nearMetres() <= before.nearMetres()) {
-                return before;
-            }
-            return atStep(step);
-        }
+    /** Returns the scale at which an opening is open now, 0 to 1: a new portal grows. */
+    private double openness(Opening opening) {
+        return opening.portal() == Opening.NO_PORTAL ? 1 : frameState.openness(opening.portal());
+    }
 
-        private Projection atStep(int step) {
-            if (pushed[step] == null) {
-                double near = main.nearMetres() * Math.pow(2, step / (double) STEPS_PER_DOUBLE);
-                pushed[step] = new Projection(main.verticalFovRadians(), main.aspect(), near, main.farMetres());
-            }
-            return pushed[step];
+    /**
+     * Returns the projection of a view through an opening: the frame's own projection with its near plane moved away, to
+     * the greatest step not beyond {@code metres}, or {@code before} if that has its near plane at least as far away. There
+     * are 16 steps per doubling, so that each projection is made once and reused in later frames.
+     */
+    Projection pushed(Projection before, double metres) {
+        double doubles = Math.log(metres / main.nearMetres()) / LOG_2;
+        int step = (int) Math.floor(Math.min(doubles * STEPS_PER_DOUBLE, pushed.length - 1));
+        if (step <= 0 || atStep(step).nearMetres() <= before.nearMetres()) {
+            return before;
         }
+        return atStep(step);
+    }
+
+    private Projection atStep(int step) {
+        if (pushed[step] == null) {
+            double near = main.nearMetres() * Math.pow(2, step / (double) STEPS_PER_DOUBLE);
+            pushed[step] = new Projection(main.verticalFovRadians(), main.aspect(), near, main.farMetres());
+        }
+        return pushed[step];
     }
 }

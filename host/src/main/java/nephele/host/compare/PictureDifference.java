@@ -40,7 +40,7 @@ public record PictureDifference(double flip, double lightExcess) {
         LinearPicture exact = finite(reference, width, height);
         LinearPicture other = finite(tried, width, height);
         double exposure = Math.pow(2, AutoExposure.stops(environment, exact.rgb(), width));
-        double flip = Flip.ofDisplayed(shown(exact, exposure, environment), shown(other, exposure, environment))
+        double flip = Flip.ofDisplayed(displayed(exact, exposure, environment), displayed(other, exposure, environment))
                 .mean();
         return new PictureDifference(flip, ImageError.meanBias(exact, other));
     }
@@ -53,11 +53,11 @@ public record PictureDifference(double flip, double lightExcess) {
         return new LinearPicture(width, height, finite);
     }
 
-    private static LinearPicture shown(LinearPicture radiance, double exposure, Environment environment) {
-        float[] shown = new float[radiance.rgb().length];
-        for (int i = 0; i < shown.length; i++) {
-            shown[i] = (float) ToneMapping.toneCurve(exposure * radiance.rgb()[i], environment.toneCurve());
+    private static LinearPicture displayed(LinearPicture radiance, double exposure, Environment environment) {
+        float[] displayed = new float[radiance.rgb().length];
+        for (int i = 0; i < displayed.length; i++) {
+            displayed[i] = (float) ToneMapping.toneCurve(exposure * radiance.rgb()[i], environment.toneCurve());
         }
-        return new LinearPicture(radiance.width(), radiance.height(), shown);
+        return new LinearPicture(radiance.width(), radiance.height(), displayed);
     }
 }

@@ -23,10 +23,10 @@ public final class FollowingBake implements AutoCloseable {
     private volatile int percent;
     private volatile boolean isClosed;
 
-    private FollowingBake(Scene scene, PlacedLevel shown) {
-        task = new FutureTask<>(() -> scene.skyVisibility() == null || BakedSky.isOf(scene.skyVisibility(), shown)
+    private FollowingBake(Scene scene, PlacedLevel drawn) {
+        task = new FutureTask<>(() -> scene.skyVisibility() == null || BakedSky.isOf(scene.skyVisibility(), drawn)
                 ? scene
-                : scene.edited(shown, BakedSky.of(shown, this::progress)));
+                : scene.edited(drawn, BakedSky.of(drawn, this::progress)));
     }
 
     /**
@@ -57,10 +57,10 @@ public final class FollowingBake implements AutoCloseable {
     /**
      * Starts the bake, if the scene needs one, on a thread of its own.
      *
-     * @param shown the level of the scene
+     * @param drawn the level of the scene
      */
-    public static FollowingBake begin(Scene scene, PlacedLevel shown) {
-        var bake = new FollowingBake(scene, shown);
+    public static FollowingBake begin(Scene scene, PlacedLevel drawn) {
+        var bake = new FollowingBake(scene, drawn);
         var thread = new Thread(bake.task, "bake");
         thread.setDaemon(true);
         thread.start();

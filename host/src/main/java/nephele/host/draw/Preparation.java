@@ -39,7 +39,7 @@ public final class Preparation {
      * @param bakeProgress called with 0–1 from several threads while light is baked, otherwise not
      */
     public static Preparation begin(LevelName level, QualityChoice quality, DoubleConsumer bakeProgress) {
-        return begin(level::open, quality, shown -> BakedSky.of(shown, bakeProgress));
+        return begin(level::open, quality, drawn -> BakedSky.of(drawn, bakeProgress));
     }
 
     /**
@@ -50,7 +50,7 @@ public final class Preparation {
      */
     public static Preparation beginUnbaked(
             Supplier<OpenedLevel> level, QualityChoice quality, Supplier<SkyVisibility> former) {
-        return begin(level, quality, shown -> FollowingBake.lightBefore(shown, former));
+        return begin(level, quality, drawn -> FollowingBake.lightBefore(drawn, former));
     }
 
     private static Preparation begin(
@@ -58,9 +58,9 @@ public final class Preparation {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.get();
-            var shown = quality.shown(opened);
-            var sky = light.apply(shown);
-            var scene = opened.reporting(() -> Scene.of(shown, sky));
+            var drawn = quality.drawn(opened);
+            var sky = light.apply(drawn);
+            var scene = opened.reporting(() -> Scene.of(drawn, sky));
             return new Prepared(opened, scene, SimLevel.of(opened.placed()), System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");

@@ -88,13 +88,13 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     }
 
     /** Returns the level to draw: the author's, or its variant for debugging. */
-    public Level shown(Level level) {
+    public Level drawn(Level level) {
         return showsIds() ? IdLevel.of(level) : level;
     }
 
     /** Returns the level to draw with its derived data. */
-    public PlacedLevel shown(OpenedLevel opened) {
-        return showsIds() ? opened.reporting(() -> opened.placed().edited(shown(opened.level()))) : opened.placed();
+    public PlacedLevel drawn(OpenedLevel opened) {
+        return showsIds() ? opened.reporting(() -> opened.placed().edited(drawn(opened.level()))) : opened.placed();
     }
 
     /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */

@@ -3,10 +3,10 @@ package nephele.host.playthrough;
 import java.util.List;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.level.placed.ModelBounds;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.View;
 import nephele.engine.sim.player.PlayerPose;
@@ -20,7 +20,7 @@ public final class ObserverView {
     private final Level.Observer authored;
     private final Camera camera;
     private final ModelBounds bounds;
-    private Bounds shown;
+    private Bound touchable;
     private View view;
 
     private ObserverView(Level level, PlacedModels models) {
@@ -30,7 +30,7 @@ public final class ObserverView {
                 .findFirst()
                 .orElseThrow();
         bounds = ModelBounds.of(models);
-        shown = authored.bounds();
+        touchable = authored.bounds();
     }
 
     /** Returns the view of a level; {@code null} if it has no observer. */
@@ -40,17 +40,17 @@ public final class ObserverView {
 
     /** Goes to the next kind of bounds. */
     public void nextBounds() {
-        shown = Bounds.values()[(shown.ordinal() + 1) % Bounds.values().length];
+        touchable = Bound.values()[(touchable.ordinal() + 1) % Bound.values().length];
     }
 
     /** Returns the kind of bounds that the sphere touches. */
-    public Bounds shown() {
-        return shown;
+    public Bound touchable() {
+        return touchable;
     }
 
     /** Returns the lines that show the bounds: pairs of points in the world. */
     public List<Vec3> outlines() {
-        return bounds.outlines(shown);
+        return bounds.outlines(touchable);
     }
 
     View view(double aspect) {
@@ -69,6 +69,6 @@ public final class ObserverView {
     /** Returns the sphere with its centre at a place. */
     public ObserverSphere at(Vec3 centre) {
         return new ObserverSphere(
-                centre, authored.radiusMetres(), bounds.touch(shown, centre, authored.radiusMetres()));
+                centre, authored.radiusMetres(), bounds.touch(touchable, centre, authored.radiusMetres()));
     }
 }

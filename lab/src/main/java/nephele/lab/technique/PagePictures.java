@@ -72,7 +72,7 @@ final class PagePictures implements AutoCloseable {
         if (gl == null) {
             gl = GlContext.offscreen();
         }
-        Level level = command.shown(opened.level());
+        Level level = command.drawn(opened.level());
         PlacedLevel placed = PlacedLevel.of(level, opened.assets());
         var settings = command.quality()
                 .settings(QualityChoice.defaultOutput(level), gl.limits().software());

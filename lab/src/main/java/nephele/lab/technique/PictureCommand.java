@@ -43,7 +43,7 @@ record PictureCommand(
     }
 
     /** Returns the level with its clouds drawn by the technique. */
-    Level shown(Level written) {
+    Level drawn(Level written) {
         String technique = options.get("--technique");
         return technique == null
                 ? written

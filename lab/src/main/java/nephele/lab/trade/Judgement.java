@@ -9,10 +9,10 @@ import nephele.engine.measure.ErrorMap;
  *
  * @param error in the subject's metric
  * @param figures further results, in the order of the subject's {@link Trade#figures}
- * @param shown the setting's picture; {@code null} if it has none
+ * @param picture the setting's picture; {@code null} if it has none
  * @param map the difference from the exact picture, bottom row first; {@code null} likewise
  */
-public record Judgement(double error, List<Double> figures, BufferedImage shown, ErrorMap map) {
+public record Judgement(double error, List<Double> figures, BufferedImage picture, ErrorMap map) {
     /** Returns a judgement without a picture. */
     public static Judgement of(double error, Double... figures) {
         return new Judgement(error, List.of(figures), null, null);

@@ -48,7 +48,7 @@ public final class Pictures {
     }
 
     public void save(Trade trade, int setting, Judgement judgement) throws IOException {
-        Capture.png(judgement.shown(), shown(trade, setting));
+        Capture.png(judgement.picture(), shown(trade, setting));
         Capture.png(heat(judgement.map()), error(trade, setting));
     }
 

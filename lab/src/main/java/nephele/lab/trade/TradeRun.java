@@ -97,7 +97,7 @@ public final class TradeRun {
             log.println(trade.subject() + ": how wrong is "
                     + trade.settings().get(setting).name() + "?");
             var judgement = experiment.judge(setting);
-            boolean hasPicture = judgement.shown() != null;
+            boolean hasPicture = judgement.picture() != null;
             if (hasPicture) {
                 pictures.save(trade, setting, judgement);
             }

@@ -17,7 +17,7 @@ final class CurveFrame {
     private final Vector3d upright = new Vector3d();
 
     CurveFrame(List<Vec3> through) {
-        curve = CatmullRom.uniformLoop(through);
+        curve = new CatmullRom(through);
     }
 
     /** Multiplies a frame by one whose origin is on the curve and whose axes stay. */

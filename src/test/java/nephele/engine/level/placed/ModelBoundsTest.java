@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.level.ModelPlacement.TransformStep.Rotate;
 import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
@@ -46,22 +45,22 @@ class ModelBoundsTest {
         "TREE, 1, 1.4142136",
         "TRIANGLES, 1, 1.4142136"
     })
-    void contactBeginsAtTheDistanceOfTheClosedForm(Bounds kind, double diagonal, double alongX) {
+    void contactBeginsAtTheDistanceOfTheClosedForm(Bound kind, double diagonal, double alongX) {
         ModelBounds cube = cube();
         assertBegins(cube, kind, new Vec3(HALF, 0, HALF), diagonal + RADIUS);
         assertBegins(cube, kind, new Vec3(-HALF, 0, HALF), diagonal + RADIUS);
         assertBegins(cube, kind, new Vec3(1, 0, 0), alongX + RADIUS);
     }
 
-    private static void assertBegins(ModelBounds bounds, Bounds kind, Vec3 direction, double metres) {
+    private static void assertBegins(ModelBounds bounds, Bound kind, Vec3 direction, double metres) {
         assertFalse(bounds.touch(kind, AT.addScaled(metres + 1e-5, direction), RADIUS), kind + " outside");
         assertTrue(bounds.touch(kind, AT.addScaled(metres - 1e-5, direction), RADIUS), kind + " inside");
     }
 
     @Test
     void surfacesAreNotTouchedFromTheMiddle() {
-        for (Bounds kind : Bounds.values()) {
-            assertEquals(kind.compareTo(Bounds.TREE) < 0, cube().touch(kind, AT, RADIUS), kind.name());
+        for (Bound kind : Bound.values()) {
+            assertEquals(kind.compareTo(Bound.TREE) < 0, cube().touch(kind, AT, RADIUS), kind.name());
         }
     }
 
@@ -74,7 +73,7 @@ class ModelBoundsTest {
         ModelBounds bounds = ModelBounds.of(models);
         double[] corners = models.all().get(0).triangles().positions();
         for (int i = 0; i < corners.length; i += 3) {
-            for (Bounds kind : Bounds.values()) {
+            for (Bound kind : Bound.values()) {
                 assertTrue(bounds.touch(kind, new Vec3(corners[i], corners[i + 1], corners[i + 2]), 1e-5), kind.name());
             }
         }
@@ -82,7 +81,7 @@ class ModelBoundsTest {
 
     @Test
     void nothingIsTouchedWithoutModels() {
-        for (Bounds kind : Bounds.values()) {
+        for (Bound kind : Bound.values()) {
             assertFalse(bounds(new TestLevel()).touch(kind, Vec3.ZERO, 100));
             assertTrue(bounds(new TestLevel()).outlines(kind).isEmpty());
         }
@@ -91,13 +90,13 @@ class ModelBoundsTest {
     /** The lines of a box end at its corners, those of a sphere at its radius. */
     @Test
     void outlinesLieOnTheBounds() {
-        Aabb box = Aabb.of(cube().outlines(Bounds.BOX));
+        Aabb box = Aabb.of(cube().outlines(Bound.BOX));
         assertEquals(2 * Math.sqrt(2), box.maxX() - box.minX(), 1e-6);
         assertEquals(2, box.maxY() - box.minY(), 1e-6);
-        for (Vec3 end : cube().outlines(Bounds.SPHERE)) {
+        for (Vec3 end : cube().outlines(Bound.SPHERE)) {
             assertEquals(Math.sqrt(3), end.minus(AT).length(), 1e-5);
         }
-        for (Bounds kind : new Bounds[] {Bounds.ORIENTED_BOX, Bounds.TREE, Bounds.TRIANGLES}) {
+        for (Bound kind : new Bound[] {Bound.ORIENTED_BOX, Bound.TREE, Bound.TRIANGLES}) {
             for (Vec3 end : cube().outlines(kind)) {
                 assertEquals(Math.sqrt(3), end.minus(AT).length(), 1e-5, kind.name());
             }

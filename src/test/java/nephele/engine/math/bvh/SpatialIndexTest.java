@@ -13,7 +13,6 @@ import java.util.SplittableRandom;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.FrustumTest;
-import nephele.engine.math.Plane;
 import nephele.engine.math.RangeList;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -86,8 +85,9 @@ class SpatialIndexTest {
         Collections.shuffle(boxes, new java.util.Random(2));
         SpatialIndex index = SpatialIndex.of(boxes, 1);
         // A plane that intersects every box prevents reports of whole subtrees.
-        Frustum cutting =
-                Frustum.of(FrustumTest.projection(0.05, INF), Vec3.ZERO).inFrontOf(new Plane(1, 0, 0, 0));
+        Frustum cutting = Frustum.reusable(1);
+        cutting.restart(0, 0, 0);
+        cutting.keep(1, 0, 0, 0);
         List<Double> depths = new ArrayList<>();
         index.cull(
                 cutting,

@@ -34,8 +34,8 @@ class CharacterPoseTest {
                 double touch = foot == CharacterPart.LEFT_FOOT ? 0 : 0.5;
                 Vector3d first = null;
                 for (double share = 0.25; share <= 0.95; share += 0.05) {
-                    double step = (touch + share * Gait.contactShare(stride)) % 1;
-                    double ahead = share * Gait.contactShare(stride) * metres;
+                    double step = (touch + share * Gait.contactFraction(stride)) % 1;
+                    double ahead = share * Gait.contactFraction(stride) * metres;
                     pose.compute(walking(ahead, step, stride, 0), 0);
                     Vector3d ball = ball(pose, foot);
                     first = first == null ? ball : first;

@@ -1,6 +1,5 @@
 package nephele.workshop.art.sprite;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,9 +10,7 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.VoxelGrid;
 import nephele.workshop.art.picture.PictureRecipe;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -46,13 +43,6 @@ class CloudPicturesTest {
                 }
             }
         }
-    }
-
-    @Test
-    void theCommittedGridIsWhatTheCodeMakes() throws IOException {
-        byte[] file = Files.readAllBytes(ASSETS.resolve(SampleGrid.FILE));
-        assertArrayEquals(SampleGrid.written(), file, "run gradle textures");
-        VoxelGrid.read(SampleGrid.FILE, file);
     }
 
     @ParameterizedTest

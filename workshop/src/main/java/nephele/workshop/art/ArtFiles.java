@@ -33,7 +33,6 @@ import nephele.workshop.art.picture.ScenePictures;
 import nephele.workshop.art.picture.SignPainter;
 import nephele.workshop.art.picture.SkyPainter;
 import nephele.workshop.art.sprite.CloudPictures;
-import nephele.workshop.art.sprite.SampleGrid;
 import nephele.workshop.art.sprite.SpritePictures;
 
 /** Regenerates the pictures, meshes and grids below {@code assets/} and the benchmark levels: {@code gradle textures}. */
@@ -84,11 +83,10 @@ public final class ArtFiles {
         write(assets.resolve(SignPainter.FILE), SignPainter.paint());
         Files.write(assets.resolve(BenchTerrain.MAP), TerrainGenerator.png(BenchTerrain.map(), BenchTerrain.SIDE));
         Files.write(assets.resolve(StonesMap.FILE), TerrainGenerator.png(StonesMap.heights(), StonesMap.SIDE));
-        Path grid = assets.resolve(SampleGrid.FILE);
-        Files.createDirectories(grid.getParent());
-        Files.write(grid, SampleGrid.written());
-        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
-            Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
+        for (Map.Entry<String, byte[]> sample : SampleFiles.all().entrySet()) {
+            Path file = assets.resolve(sample.getKey());
+            Files.createDirectories(file.getParent());
+            Files.write(file, sample.getValue());
         }
         Files.createDirectories(assets.resolve(PLANT_FOLDER));
         for (Map.Entry<String, byte[]> mesh : plants().entrySet()) {

@@ -5,7 +5,6 @@ import java.lang.reflect.Method;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -59,17 +58,9 @@ final class RecordFormat implements MembersFormat {
                     component.getDeclaringRecord() + "." + component.getName() + " does not say how it is written");
         }
         ValueFormat format = format(component.getGenericType(), component);
-        Object absent = written.absent().isEmpty() ? format.absent() : parsed(written.absent(), format);
+        Object absent = written.absent().isEmpty() ? format.absent() : format.parsed(written.absent(), "default value");
         return new FieldFormat(
                 component.getName(), component.getAccessor(), format, written.required(), written.beside(), absent);
-    }
-
-    private static Object parsed(String json, ValueFormat format) {
-        Problems problems = new Problems();
-        JsonValue tree = JsonTree.read(json.getBytes(StandardCharsets.UTF_8), problems);
-        Object value = tree == null ? null : format.read(tree, problems);
-        problems.throwIfAny("default value " + json);
-        return value;
     }
 
     /** @param type of the component, or of the entries that it holds */

@@ -1,7 +1,6 @@
 package nephele.engine.level.json;
 
 import java.lang.reflect.RecordComponent;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.NumberRange;
@@ -22,7 +21,8 @@ public final class WrittenRecord {
         for (int i = 0; i < components.length; i++) {
             RecordFormat.FieldFormat field = format.field(i);
             Written written = components[i].getAnnotation(Written.class);
-            Object prototype = written.prototype().isEmpty() ? null : parsed(written.prototype(), field.format());
+            Object prototype =
+                    written.prototype().isEmpty() ? null : field.format().parsed(written.prototype(), "prototype");
             Range range = components[i].getAnnotation(Range.class);
             fields.add(new WrittenField(
                     field.name(),
@@ -41,14 +41,6 @@ public final class WrittenRecord {
      */
     public static WrittenRecord of(Class<?> type) {
         return new WrittenRecord(type);
-    }
-
-    private static Object parsed(String json, ValueFormat format) {
-        Problems problems = new Problems();
-        JsonValue tree = JsonTree.read(json.getBytes(StandardCharsets.UTF_8), problems);
-        Object value = tree == null ? null : format.read(tree, problems);
-        problems.throwIfAny("prototype " + json);
-        return value;
     }
 
     /** Returns the components in their order. */

@@ -7,10 +7,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
-/**
- * A check of what no value of a level tells alone. Each check is a constant of this type and a line of
- * {@code rule.LevelRules.ALL}, the one list.
- */
+/** A check of a level. Each check is a constant of this type and a line of {@code rule.LevelRules.ALL}, the one list. */
 public record LevelRule(Stage stage, Check check) {
     /** What a check needs, from the cheapest to the dearest. */
     public enum Stage {

@@ -2,7 +2,6 @@ package nephele.engine.level.placed;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.bound.Bound;
 import nephele.engine.model.bound.BoundedModel;
@@ -55,8 +54,7 @@ public final class ModelBounds {
     }
 
     /** Returns whether a ball has a point in common with the volume of a model. */
-    public boolean touch(Bounds kind, Vec3 centre, double radiusMetres) {
-        Bound bound = bound(kind);
+    public boolean touch(Bound bound, Vec3 centre, double radiusMetres) {
         for (Placed placed : all) {
             if (bound.touches(placed.model, placed.at, centre, radiusMetres)) {
                 return true;
@@ -66,19 +64,9 @@ public final class ModelBounds {
     }
 
     /** Returns the lines that show the volumes: pairs of points in the world. */
-    public List<Vec3> outlines(Bounds kind) {
+    public List<Vec3> outlines(Bound bound) {
         List<Vec3> ends = new ArrayList<>();
-        all.forEach(placed -> placed.model.outline(bound(kind), placed.at, ends));
+        all.forEach(placed -> placed.model.outline(bound, placed.at, ends));
         return ends;
-    }
-
-    private static Bound bound(Bounds kind) {
-        return switch (kind) {
-            case SPHERE -> Bound.SPHERE;
-            case BOX -> Bound.AXIS_ALIGNED_BOX;
-            case ORIENTED_BOX -> Bound.ORIENTED_BOX;
-            case TREE -> Bound.HIERARCHY;
-            case TRIANGLES -> Bound.TRIANGLES;
-        };
     }
 }

@@ -17,13 +17,13 @@ public final class DetailTiles {
     private int count;
     private DetailRanges ranges;
     private DetailView view;
-    private Frustum seen;
+    private Frustum frustum;
 
     /** Selects the coarsest tiles that are fine enough, among those that a frustum may contain. */
-    public void select(DetailRanges allowed, DetailView newView, Frustum newSeen) {
+    public void select(DetailRanges allowed, DetailView newView, Frustum newFrustum) {
         ranges = allowed;
         view = newView;
-        seen = newSeen;
+        frustum = newFrustum;
         count = 0;
         select(allowed.detail().top(), 0, 0);
     }
@@ -31,7 +31,7 @@ public final class DetailTiles {
     private void select(int level, int column, int row) {
         HeightField field = ranges.detail().field();
         writeBounds(field, level, column, row, bounds);
-        if (seen.classify(bounds, 0, seen.allPlanes()) == Frustum.OUTSIDE) {
+        if (frustum.classify(bounds, 0, frustum.allPlanes()) == Frustum.OUTSIDE) {
             return;
         }
         if (level == 0 || view.leastRange(bounds) >= ranges.finerRange(level, column, row)) {

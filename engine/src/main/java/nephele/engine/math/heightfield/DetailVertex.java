@@ -25,20 +25,20 @@ public record DetailVertex(double column, double row, double height) {
         double height = field.height(column, row);
         int asideX = column & between;
         int asideZ = row & between;
-        double share = range(field, view, column, row)
+        double fraction = range(field, view, column, row)
                 / endOfSliding(tile, at, column - (int) tile[at], row - (int) tile[at + 1], between);
-        if (share <= DetailRanges.MORPH_START || (asideX | asideZ) == 0) {
+        if (fraction <= DetailRanges.MORPH_START || (asideX | asideZ) == 0) {
             return new DetailVertex(column, row, height);
         }
         double end = field.height(column - asideX, row - asideZ);
         int otherColumn = Math.min(column + asideX, field.cellColumns());
         double coarser = 0.5 * (end + field.height(otherColumn, Math.min(row + asideZ, field.cellRows())));
-        if (share >= SLIDE_END) {
+        if (fraction >= SLIDE_END) {
             return new DetailVertex(column - asideX, row - asideZ, end);
         }
-        double risen =
-                Math.min(1, (share - DetailRanges.MORPH_START) / (DetailRanges.MORPH_END - DetailRanges.MORPH_START));
-        double slid = Math.max(0, (share - DetailRanges.SLIDE_START) / (SLIDE_END - DetailRanges.SLIDE_START));
+        double risen = Math.min(
+                1, (fraction - DetailRanges.MORPH_START) / (DetailRanges.MORPH_END - DetailRanges.MORPH_START));
+        double slid = Math.max(0, (fraction - DetailRanges.SLIDE_START) / (SLIDE_END - DetailRanges.SLIDE_START));
         double raised = mix(height, coarser, risen);
         return new DetailVertex(column - slid * asideX, row - slid * asideZ, mix(raised, end, slid));
     }
@@ -56,7 +56,7 @@ public record DetailVertex(double column, double row, double height) {
         return mix(mix(tile[at + 4], tile[at + 5], across), mix(tile[at + 6], tile[at + 7], across), along);
     }
 
-    private static double mix(double a, double b, double share) {
-        return a * (1 - share) + b * share;
+    private static double mix(double a, double b, double fraction) {
+        return a * (1 - fraction) + b * fraction;
     }
 }

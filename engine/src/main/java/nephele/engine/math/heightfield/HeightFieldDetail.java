@@ -239,10 +239,10 @@ public final class HeightFieldDetail {
             greatest = h00;
             double most = error;
             for (int v = 0; v <= coarse; v++) {
-                double share = (double) v / coarse;
-                double alongDiagonal = h00 + share * (h11 - h00);
-                double left = h00 + share * (h01 - h00);
-                double right = h10 + share * (h11 - h10);
+                double fraction = (double) v / coarse;
+                double alongDiagonal = h00 + fraction * (h11 - h00);
+                double left = h00 + fraction * (h01 - h00);
+                double right = h10 + fraction * (h11 - h10);
                 double before = v == 0 ? 0 : (alongDiagonal - left) / v;
                 double after = v == coarse ? 0 : (right - alongDiagonal) / (coarse - v);
                 for (int u = 0; u <= coarse; u++) {

@@ -2,7 +2,10 @@ package nephele.engine.model.bound;
 
 import nephele.engine.math.Vec3;
 
-/** A bounding volume by which models are tested for contact, from the simplest to the surface itself. */
+/**
+ * A bounding volume by which models are tested for contact, from the simplest to the surface itself; its word in a level
+ * file is the name in lower case.
+ */
 public enum Bound {
     SPHERE {
         @Override
@@ -17,7 +20,7 @@ public enum Bound {
         }
     },
     /** The box along the world's axes around the turned box of the model. */
-    AXIS_ALIGNED_BOX {
+    BOX {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
             return box(model, at).upright().nearest(centre) <= radius;
@@ -40,7 +43,7 @@ public enum Bound {
         }
     },
     /** Oriented boxes in a tree, down to that of each triangle. */
-    HIERARCHY {
+    TREE {
         @Override
         public boolean touches(BoundedModel model, Pose at, Vec3 centre, double radius) {
             return model.tree().touches(at.local(centre), radius, triangle -> true);

@@ -42,9 +42,9 @@ public record BoundedModel(String name, BoundingSphere sphere, BoxTree tree) {
     public void outline(Bound bound, Pose at, List<Vec3> ends) {
         switch (bound) {
             case SPHERE -> addSphere(middle(at), sphere.radius(), ends);
-            case AXIS_ALIGNED_BOX -> addBox(OrientedBox.of(tree.box(), at).upright(), WORLD, ends);
+            case BOX -> addBox(OrientedBox.of(tree.box(), at).upright(), WORLD, ends);
             case ORIENTED_BOX -> addBox(tree.box(), at, ends);
-            case HIERARCHY -> {
+            case TREE -> {
                 List<Aabb> boxes = new ArrayList<>();
                 tree.addBoxes(DRAWN_LEVEL, boxes);
                 boxes.forEach(box -> addBox(box, at, ends));

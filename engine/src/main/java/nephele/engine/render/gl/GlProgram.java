@@ -51,8 +51,13 @@ public final class GlProgram<U> {
 
     /** Links the program or takes the linked one, without uniforms but samplers and blocks. */
     public static GlProgram<Uniforms> of(GlContext gl, String vertex, String fragment, Map<String, String> defines) {
-        return new GlProgram<>(
-                gl, ShaderSource.load(vertex, defines), ShaderSource.load(fragment, defines), found -> found);
+        return of(gl, vertex, fragment, defines, found -> found);
+    }
+
+    /** Links the program or takes the linked one, with what a function makes of its uniforms. */
+    public static <U> GlProgram<U> of(
+            GlContext gl, String vertex, String fragment, Map<String, String> defines, Function<Uniforms, U> uniforms) {
+        return new GlProgram<>(gl, ShaderSource.load(vertex, defines), ShaderSource.load(fragment, defines), uniforms);
     }
 
     public U uniforms() {

@@ -4,9 +4,15 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
+import org.lwjgl.system.MemoryUtil;
 
 /** Vertices and 32-bit triangle indices on the GPU. */
 public final class GpuMesh implements GlObject {
+    private static final float[] SQUARE = {-1, -1, 1, -1, 1, 1, -1, 1};
+    private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
+    /** Indices of one of {@link #squares}. */
+    public static final int SQUARE_INDICES = TRIANGLES.length;
+
     private final GlContext gl;
     private final GlHandle vertexArray;
     private final GlHandle vertices;
@@ -29,6 +35,27 @@ public final class GpuMesh implements GlObject {
         format.describe();
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, triangles, GL_STATIC_DRAW);
+    }
+
+    /** Creates squares from −1 to 1 of two coordinates each. */
+    public static GpuMesh squares(GlContext gl, String name, int count) {
+        ByteBuffer corners = MemoryUtil.memAlloc(count * Float.BYTES * SQUARE.length);
+        IntBuffer triangles = MemoryUtil.memAllocInt(count * SQUARE_INDICES);
+        try {
+            for (int square = 0; square < count; square++) {
+                for (float coordinate : SQUARE) {
+                    corners.putFloat(coordinate);
+                }
+                for (int corner : TRIANGLES) {
+                    triangles.put(4 * square + corner);
+                }
+            }
+            return new GpuMesh(
+                    gl, name, VertexFormat.of(VertexFormat.Attribute.FLOAT2), corners.flip(), triangles.flip());
+        } finally {
+            MemoryUtil.memFree(corners);
+            MemoryUtil.memFree(triangles);
+        }
     }
 
     /** Replaces a part of the vertices, from a byte offset on. */

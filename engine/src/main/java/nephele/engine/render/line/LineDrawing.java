@@ -10,7 +10,6 @@ import nephele.engine.render.gl.PolygonStream;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 
 /** Draws canvases of lines. */
 public final class LineDrawing implements AutoCloseable {
@@ -19,17 +18,13 @@ public final class LineDrawing implements AutoCloseable {
 
     private final GlContext gl;
     private final PolygonStream triangles;
-    private final GlProgram<Void> program;
+    private final GlProgram<?> program;
 
     /** Creates the program and a buffer. */
     public LineDrawing(GlContext gl) {
         this.gl = gl;
         triangles = new PolygonStream(gl, "lines", FORMAT);
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "line.vert", Map.of()),
-                ShaderSource.load(FOLDER + "line.frag", Map.of()),
-                uniforms -> null);
+        program = GlProgram.of(gl, FOLDER + "line.vert", FOLDER + "line.frag", Map.of());
     }
 
     /** Draws over a picture, whose depth hides what is behind its surfaces. */

@@ -32,7 +32,7 @@ public final class AerialPerspective implements GlObject {
     /** Whether clouds shade the air. */
     private final boolean hasShafts;
 
-    private final HeightCache<SunAndMoonTables> byHeight = new HeightCache<>(this::tables);
+    private final HeightCache byHeight = new HeightCache(this::tables);
 
     private AirTables tables;
     private SunAndMoon lights;
@@ -91,8 +91,7 @@ public final class AerialPerspective implements GlObject {
 
     /** Sets the air of the draws in a view. */
     private void setView(View view) {
-        SunAndMoonTables near =
-                byHeight.near(view.eyeY(), known -> known.isReady(lights), known -> known.prepare(lights));
+        SunAndMoonTables near = byHeight.near(view.eyeY(), lights);
         near.show(lights);
         near.bind(TextureUnit.AIR);
         context.resources().uniforms().air(near.heightMetres(), lights);

@@ -1,5 +1,7 @@
 package nephele.engine.render.resource;
 
+import java.util.Arrays;
+import java.util.List;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.SmoothSky;
 import nephele.engine.cloud.cells.CellMarch.OutsideOfCloud;
@@ -19,7 +21,6 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
-import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyIrradiance;
 import nephele.engine.scene.light.SkyProbes;
@@ -44,17 +45,15 @@ public final class AmbientLight {
     /** The atmosphere's tables; {@code null} for another sky. */
     private AirTables airTables;
 
-    /** What the light without clouds follows from. @param sun {@code null} if the sky does not depend on it */
-    record Causes(Identity level, Sky sky, Sun sun) {}
-
     private AmbientLight(LoadContext context) {
         this.context = context;
         clouds = context.get(RendererClouds.RESOURCE);
     }
 
-    Causes causes(Environment now) {
+    /** Returns what the light without clouds follows from: the sky, and the sun if the sky depends on it. */
+    List<?> causes(Environment now) {
         Sun sun = now.sky() instanceof Sky.Atmosphere ? now.sun() : null;
-        return new Causes(context.openedLevel(), now.sky(), sun);
+        return Arrays.asList(context.openedLevel(), now.sky(), sun);
     }
 
     /** Returns the light in an environment, under the clouds of the frame. */

@@ -4,11 +4,9 @@ import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.level.billboard.Sway;
-import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
@@ -17,8 +15,10 @@ import nephele.engine.render.frame.Quality.SpriteCoverage;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LightRequirements;
 import org.lwjgl.system.MemoryUtil;
 
 /**
@@ -32,6 +32,14 @@ public final class BillboardQuads implements GlObject {
     private static final int GROUP_FLOATS = 20;
 
     private static final int BALL = 4;
+
+    /** How billboards are drawn. */
+    public enum Kind {
+        /** Where they cover half or more; they write depth and cast shadows. */
+        WITH_EDGES,
+        /** Over what is behind them, the farthest first. */
+        BLENDED
+    }
 
     private final Vec3 anchor;
     private final BillboardSprites sprites;
@@ -62,16 +70,17 @@ public final class BillboardQuads implements GlObject {
         }
     }
 
-    /** @param planted the billboards of the level from which {@code source} is */
-    public BillboardQuads(
-            GlContext gl, PlantedBillboards planted, StaticShapes statics, AssetSource assets, BillboardSource source) {
-        anchor = source.anchor();
-        List<PlantedBillboards.Group> drawn = planted.groups().stream()
-                .filter(group -> group.authored().blended() == (source.kind() == BillboardSource.Kind.BLENDED))
-                .toList();
+    private BillboardQuads(LoadContext context, Kind kind, Vec3 anchor) {
+        this.anchor = anchor;
+        GlContext gl = context.gl();
+        Scene scene = context.scene();
+        List<PlantedBillboards.Group> drawn =
+                PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()).groups().stream()
+                        .filter(group -> group.authored().blended() == (kind == Kind.BLENDED))
+                        .toList();
         List<Billboards> authored =
                 drawn.stream().map(PlantedBillboards.Group::authored).toList();
-        sprites = new BillboardSprites(gl, authored, assets, source);
+        sprites = new BillboardSprites(gl, authored, scene.assets(), context.output(), keepsCoverage(context, kind));
         groups = authored;
         moves = groups.stream().anyMatch(Billboards::moves);
         groupTexels = BufferTexture.changing(gl, "billboard groups");
@@ -80,7 +89,7 @@ public final class BillboardQuads implements GlObject {
         arrays = images.stream().mapToInt(Image::array).toArray();
         balls = new float[BALL * images.size()];
         float[] values = new float[FLOATS * images.size()];
-        BillboardSky sky = new BillboardSky(statics, source.isSkyLit(), images.size());
+        BillboardSky sky = new BillboardSky(scene.statics(), LightRequirements.skyShines(scene.level()), images.size());
         for (int i = 0; i < images.size(); i++) {
             put(images.get(i), sky, i, values);
         }
@@ -89,25 +98,25 @@ public final class BillboardQuads implements GlObject {
     }
 
     /** Shares the level's billboards of a kind. */
-    public static BillboardQuads of(LoadContext context, BillboardSource.Kind kind) {
+    public static BillboardQuads of(LoadContext context, Kind kind) {
         Scene scene = context.scene();
-        BillboardSource source = BillboardSource.of(
-                scene.level(),
-                scene.statics(),
-                scene.assets(),
+        Vec3 anchor = context.get(SurfaceLight.RESOURCE).anchor();
+        List<Object> madeFrom = List.of(
+                new Identity(scene.level().billboards()),
+                new Identity(scene.statics().solids()),
+                new Identity(scene.statics().models()),
+                new Identity(scene.assets()),
+                LightRequirements.skyShines(scene.level()),
                 kind,
-                context.get(SurfaceLight.RESOURCE).anchor(),
+                anchor,
                 context.output().pictures(),
-                context.quality().spriteCoverage() == SpriteCoverage.KEPT);
-        return context.share(
-                BillboardQuads.class,
-                source,
-                () -> new BillboardQuads(
-                        context.gl(),
-                        PlantedBillboards.of(scene.level(), scene.statics(), scene.assets()),
-                        scene.statics(),
-                        scene.assets(),
-                        source));
+                keepsCoverage(context, kind));
+        return context.share(BillboardQuads.class, madeFrom, () -> new BillboardQuads(context, kind, anchor));
+    }
+
+    /** Returns true if smaller mipmap levels keep the part of a picture that is drawn. */
+    private static boolean keepsCoverage(LoadContext context, Kind kind) {
+        return kind == Kind.WITH_EDGES && context.quality().spriteCoverage() == SpriteCoverage.KEPT;
     }
 
     private List<Image> images(List<PlantedBillboards.Group> drawn) {
@@ -153,7 +162,7 @@ public final class BillboardQuads implements GlObject {
         foot.put(values, to, image.number());
         values[to + 4] = (float) scale;
         values[to + 5] = (float) image.group().phase(image.index());
-        values[to + 6] = sky.seenFrom(image.foot().plus(new Vec3(0, half, 0)));
+        values[to + 6] = sky.visibleFrom(image.foot().plus(new Vec3(0, half, 0)));
         values[to + 7] = (float) image.turn();
         double width = image.group().authored().sizeMetres().width() * scale;
         foot.plus(new Vec3(0, half, 0)).put(balls, BALL * at, (float) Math.max(half, width / 2));

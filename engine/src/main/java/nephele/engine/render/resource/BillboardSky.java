@@ -4,7 +4,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.bake.Occluders;
 
-/** The share of the sky that billboards see: rays from the middle of each, weighted as a level surface receives light. */
+/** The fraction of the sky that is visible from billboards: rays from the middle of each, weighted as a level surface receives light. */
 final class BillboardSky {
     private static final int RAYS = 24;
     private static final int FEW_RAYS = 8;
@@ -29,7 +29,7 @@ final class BillboardSky {
         }
     }
 
-    float seenFrom(Vec3 middle) {
+    float visibleFrom(Vec3 middle) {
         if (occluders == null) {
             return 1;
         }

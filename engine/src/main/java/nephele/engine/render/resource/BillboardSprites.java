@@ -8,13 +8,12 @@ import java.util.Map;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Billboards;
-import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.billboard.AlphaCoverage;
 import nephele.engine.level.billboard.Sprite;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
@@ -35,7 +34,8 @@ final class BillboardSprites implements GlObject {
     /** Where a group's first frame is. */
     record Place(int array, int layer) {}
 
-    BillboardSprites(GlContext gl, List<Billboards> groups, AssetSource assets, BillboardSource source) {
+    /** @param keepsCoverage whether smaller mipmap levels keep the part of a picture that is drawn */
+    BillboardSprites(GlContext gl, List<Billboards> groups, AssetSource assets, Output output, boolean keepsCoverage) {
         Map<Texture.Extent, List<Picture>> layers = new HashMap<>();
         List<Texture.Extent> sizes = new ArrayList<>();
         for (Billboards group : groups) {
@@ -51,31 +51,29 @@ final class BillboardSprites implements GlObject {
                         sizes.indexOf(size), all.size() - sprite.frames().size());
             });
         }
-        sizes.forEach(size -> arrays.add(texture(gl, layers.get(size), source)));
+        sizes.forEach(size -> arrays.add(texture(gl, layers.get(size), output, keepsCoverage)));
     }
 
-    private static Texture texture(GlContext gl, List<Picture> layers, BillboardSource source) {
+    private static Texture texture(GlContext gl, List<Picture> layers, Output output, boolean keepsCoverage) {
         int width = layers.get(0).width();
         int height = layers.get(0).height();
         Texture texture = new Texture(
                 gl,
                 "billboards",
                 Texture.Shape.ARRAY,
-                source.format(),
+                output.pictures(),
                 new Texture.Extent(width, height, layers.size()),
                 Sampling.MIPMAPPED_CLAMP);
-        boolean isLinear = source.format() == PixelFormat.SRGB8_ALPHA8;
         ByteBuffer texels = MemoryUtil.memAlloc(4 * width * height);
         try {
             for (int layer = 0; layer < layers.size(); layer++) {
                 Picture picture = layers.get(layer);
-                List<byte[]> levels =
-                        ResampledPicture.mipLevels(picture, isLinear ? ColourDecoding.SRGB : ColourDecoding.AS_STORED);
+                List<byte[]> levels = ResampledPicture.mipLevels(picture, output.decoding());
                 texture.upload(layer, texels.clear().put(picture.samples()).flip());
                 double coverage = AlphaCoverage.of(width, height, picture.samples());
                 for (int level = 1; level <= levels.size(); level++) {
                     byte[] image = levels.get(level - 1);
-                    if (source.keepsCoverage()) {
+                    if (keepsCoverage) {
                         AlphaCoverage.keep(coverage, Math.max(1, width >> level), Math.max(1, height >> level), image);
                     }
                     texture.uploadLevel(level, layer, texels.clear().put(image).flip());

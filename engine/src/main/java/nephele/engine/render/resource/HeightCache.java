@@ -3,26 +3,25 @@ package nephele.engine.render.resource;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
-import java.util.function.Predicate;
+import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.render.gl.GlObject;
 
 /**
- * Objects for heights from which views are drawn: those through openings may be at other heights than the eye's. The
- * object that has not been used for longest makes room for a new one.
+ * The tables for heights from which views are drawn: those through openings may be at other heights than the eye's. The
+ * tables that have not been used for longest make room for new ones.
  */
-public final class HeightCache<T extends GlObject> implements GlObject {
+public final class HeightCache implements GlObject {
     private static final int MOST = 6;
     /** Shelves between an eye and the tables that stand in for its own. */
     private static final double MOST_APART = 2.5;
 
-    private final DoubleFunction<T> make;
+    private final DoubleFunction<SunAndMoonTables> make;
     /** In the order of their last use. */
-    private final Map<Double, T> objects = new LinkedHashMap<>(16, 0.75f, true);
+    private final Map<Double, SunAndMoonTables> tables = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param make called with a height, metres */
-    public HeightCache(DoubleFunction<T> make) {
+    public HeightCache(DoubleFunction<SunAndMoonTables> make) {
         this.make = make;
     }
 
@@ -51,20 +50,20 @@ public final class HeightCache<T extends GlObject> implements GlObject {
     }
 
     /**
-     * Returns the object of an eye's shelf, or while that is being prepared the nearest one of two shelves on either
+     * Returns the tables of an eye's shelf, or while that is being prepared the nearest one of two shelves on either
      * side, so that an eye that rises waits for nothing; without one of these the eye's own, ready or not.
      */
-    public T near(double heightMetres, Predicate<T> isReady, Consumer<T> prepare) {
+    public SunAndMoonTables near(double heightMetres, SunAndMoon lights) {
         double place = shelvesBelow(Math.max(2, heightMetres));
-        T own = at(shelf(heightMetres));
-        if (isReady.test(own)) {
+        SunAndMoonTables own = at(shelf(heightMetres));
+        if (own.isReady(lights)) {
             return own;
         }
-        T standIn = null;
+        SunAndMoonTables standIn = null;
         double least = MOST_APART;
-        for (Map.Entry<Double, T> entry : objects.entrySet()) {
+        for (Map.Entry<Double, SunAndMoonTables> entry : tables.entrySet()) {
             double apart = Math.abs(shelvesBelow(entry.getKey()) - place);
-            if (apart < least && isReady.test(entry.getValue())) {
+            if (apart < least && entry.getValue().isReady(lights)) {
                 standIn = entry.getValue();
                 least = apart;
             }
@@ -72,29 +71,29 @@ public final class HeightCache<T extends GlObject> implements GlObject {
         if (standIn == null) {
             return own;
         }
-        prepare.accept(own);
+        own.prepare(lights);
         return standIn;
     }
 
-    private T at(double heightMetres) {
-        T known = objects.get(heightMetres);
+    private SunAndMoonTables at(double heightMetres) {
+        SunAndMoonTables known = tables.get(heightMetres);
         if (known != null) {
             return known;
         }
-        if (objects.size() == MOST) {
-            Iterator<T> oldest = objects.values().iterator();
+        if (tables.size() == MOST) {
+            Iterator<SunAndMoonTables> oldest = tables.values().iterator();
             oldest.next().close();
             oldest.remove();
         }
-        T made = make.apply(heightMetres);
-        objects.put(heightMetres, made);
+        SunAndMoonTables made = make.apply(heightMetres);
+        tables.put(heightMetres, made);
         return made;
     }
 
-    /** Closes all objects; others are made afterwards. */
+    /** Closes all tables; others are made afterwards. */
     public void clear() {
-        objects.values().forEach(GlObject::close);
-        objects.clear();
+        tables.values().forEach(GlObject::close);
+        tables.clear();
     }
 
     @Override

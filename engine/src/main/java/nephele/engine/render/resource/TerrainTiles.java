@@ -71,7 +71,7 @@ public final class TerrainTiles implements GlObject {
     }
 
     /** Returns the eye of a view. */
-    public static DetailView seenFrom(View view) {
+    public static DetailView detailView(View view) {
         Projection projection = view.projection();
         return DetailView.of(
                 view.eye(),

@@ -50,7 +50,7 @@ public final class FrameCost implements AutoCloseable {
     }
 
     /** Called when the frame is shown. */
-    public void shown() {
+    public void presented() {
         millis = timer == null ? (System.nanoTime() - startNanos) / 1e6 : Math.max(submitMillis, gpuMillis);
     }
 

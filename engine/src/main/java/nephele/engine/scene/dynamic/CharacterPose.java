@@ -142,7 +142,7 @@ final class CharacterPose {
         for (int side = 0; side < 2; side++) {
             double out = side == 0 ? -1 : 1;
             Gait.Foot foot = Gait.foot((p.step() + 0.5 * side) % 1, p.stride());
-            double way = foot.along();
+            double ahead = foot.along();
             double pitch = foot.pitch() * moving * forward * 0.85;
             double wide = HALF_HIPS_METRES + 0.02 - 0.035 * moving * Math.abs(forward);
             Vector3d ankle = ankles[side];
@@ -151,7 +151,7 @@ final class CharacterPose {
             double rise = BALL_METRES * Math.sin(pitch) + ANKLE_METRES * Math.cos(pitch);
             ankle.set(0, Math.max(rise, ANKLE_METRES * Math.cos(pitch)), pitch > 0 ? back : 0);
             ankle.rotateY(footYaw);
-            ankle.add(-Math.sin(p.travelRadians()) * way, foot.lift() * amplitude, -forward * way);
+            ankle.add(-Math.sin(p.travelRadians()) * ahead, foot.lift() * amplitude, -forward * ahead);
             ankle.x += out * wide * Math.cos(footYaw);
             ankle.z -= out * wide * Math.sin(footYaw);
             footPitch[side] = pitch;
@@ -206,10 +206,10 @@ final class CharacterPose {
         double swing = Math.sin(2 * Math.PI * p.step()) * 0.12 * Math.min(1, p.stride()) * Math.cos(p.travelRadians());
         chest.rotationY(0.2 * travel + swing).rotateX(-lean - 0.012 * breath);
         // Between head and hips, nearer to the head.
-        double share = HEAD_TO_CHEST_METRES / HEAD_TO_HIPS_METRES;
-        joint.set(head).lerp(hips, share);
-        joint.y += 0.004 * breath - 0.25 * share * (HEAD_TO_HIPS_METRES - head.distance(hips));
-        joint.z += 0.02 * Math.sin(lean) + bowed(p) * (1 - share / 2);
+        double fraction = HEAD_TO_CHEST_METRES / HEAD_TO_HIPS_METRES;
+        joint.set(head).lerp(hips, fraction);
+        joint.y += 0.004 * breath - 0.25 * fraction * (HEAD_TO_HIPS_METRES - head.distance(hips));
+        joint.z += 0.02 * Math.sin(lean) + bowed(p) * (1 - fraction / 2);
         put(CharacterPart.CHEST, joint, chest);
         end.set(joint);
         shoulders.set(joint);
@@ -242,8 +242,8 @@ final class CharacterPose {
         bone(side == 0 ? CharacterPart.LEFT_FOREARM : CharacterPart.RIGHT_FOREARM, middle, end);
     }
 
-    private static double mix(double a, double b, double share) {
-        return a + (b - a) * share;
+    private static double mix(double a, double b, double fraction) {
+        return a + (b - a) * fraction;
     }
 
     /** Places a part's centre halfway between two joints, with its front on the side opposite to the limb's bend. */

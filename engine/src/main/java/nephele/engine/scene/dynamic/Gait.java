@@ -2,7 +2,7 @@ package nephele.engine.scene.dynamic;
 
 /**
  * The positions of the feet during walking. The cycle's length follows from the speed, and a foot on the ground moves
- * back as fast as the body moves forward, so it does not slide at any speed. Cadence and the share of time on the
+ * back as fast as the body moves forward, so it does not slide at any speed. Cadence and the fraction of time on the
  * ground approximate human walking and running (Alexander 1989, "Optimization and gaits in the locomotion of
  * vertebrates", section III).
  */
@@ -15,7 +15,7 @@ public final class Gait {
     /** The greatest travel of a foot relative to the body between first and last contact. */
     private static final double LONGEST_CONTACT_METRES = 0.75;
 
-    private static final double LONGEST_CONTACT_SHARE = 0.6;
+    private static final double LONGEST_CONTACT_FRACTION = 0.6;
 
     private Gait() {}
 
@@ -29,16 +29,16 @@ public final class Gait {
         return WALKING_METRES_PER_SECOND * stride / cyclesPerSecond(stride);
     }
 
-    /** Returns the share of a cycle during which a foot is on the ground. */
-    static double contactShare(double stride) {
-        return Math.min(LONGEST_CONTACT_SHARE, LONGEST_CONTACT_METRES / Math.max(cycleMetres(stride), 1e-9));
+    /** Returns the fraction of a cycle during which a foot is on the ground. */
+    static double contactFraction(double stride) {
+        return Math.min(LONGEST_CONTACT_FRACTION, LONGEST_CONTACT_METRES / Math.max(cycleMetres(stride), 1e-9));
     }
 
     /**
      * The position of a foot at one phase of the cycle.
      *
      * @param along metres in front of the body's centre
-     * @param lift height of the ankle as a share of the greatest
+     * @param lift height of the ankle as a fraction of the greatest
      * @param pitch rotation about the ball, in radians before scaling; greatest with the heel up, negative with the
      *     toes up
      */
@@ -47,20 +47,20 @@ public final class Gait {
     /**
      * Returns the position of a foot.
      *
-     * @param phase share of the cycle since this foot touched the ground, 0 to 1
+     * @param phase fraction of the cycle since this foot touched the ground, 0 to 1
      */
     static Foot foot(double phase, double stride) {
-        double share = contactShare(stride);
-        double length = share * cycleMetres(stride);
-        if (phase < share) {
-            double t = phase / share;
+        double fraction = contactFraction(stride);
+        double length = fraction * cycleMetres(stride);
+        if (phase < fraction) {
+            double t = phase / fraction;
             double toesUp = -0.3 * Math.max(0, 1 - t / 0.2);
             double heelUp = smooth((t - 0.6) / 0.4);
             return new Foot(length * (0.5 - t), 0, toesUp + 0.75 * heelUp);
         }
-        double t = (phase - share) / (1 - share);
+        double t = (phase - fraction) / (1 - fraction);
         // The foot leaves and touches the ground with the ground's own velocity.
-        double speed = -length * (1 - share) / share;
+        double speed = -length * (1 - fraction) / fraction;
         double along = hermite(t, -length / 2, length / 2, speed);
         double pitch = t < 0.35 ? 0.75 + 0.25 * smooth(t / 0.35) : 1 - 1.3 * smooth((t - 0.35) / 0.6);
         return new Foot(along, Math.pow(Math.sin(Math.PI * t), 1.5), pitch);

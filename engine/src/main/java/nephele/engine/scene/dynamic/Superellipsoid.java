@@ -9,7 +9,7 @@ import nephele.engine.scene.dynamic.DynamicMesh.Builder;
  * @param centre metres
  * @param half half sides, metres
  * @param roundness exponents along the height and around the y axis: 1 an ellipsoid, near 0 a box
- * @param taper share by which the top is wider than the middle, and the bottom narrower
+ * @param taper fraction by which the top is wider than the middle, and the bottom narrower
  */
 record Superellipsoid(double[] centre, double[] half, double[] roundness, double taper) {
     private static final double NUDGE = 1e-4;
@@ -32,8 +32,8 @@ record Superellipsoid(double[] centre, double[] half, double[] roundness, double
         return new Superellipsoid(centre, half, new double[] {upright, around}, taper);
     }
 
-    Superellipsoid tapered(double share) {
-        return new Superellipsoid(centre, half, roundness, share);
+    Superellipsoid tapered(double fraction) {
+        return new Superellipsoid(centre, half, roundness, fraction);
     }
 
     /**

@@ -2,8 +2,8 @@ package nephele.engine.scene.impostor;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.billboard.PlantedModels;
 import nephele.engine.level.placed.WorldTriangles;
-import nephele.engine.level.planted.PlantedModels;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 

@@ -3,6 +3,7 @@ package nephele.engine.sim.state;
 import java.util.List;
 import java.util.Objects;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.Depenetration;
 import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Exit;
@@ -15,11 +16,13 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.WorldState.Arrival;
 import nephele.engine.sim.state.WorldState.ExitState;
 import nephele.engine.sim.state.WorldState.FallState;
 import nephele.engine.sim.state.WorldState.HeldBody;
 import nephele.engine.sim.state.WorldState.TickTrace;
+import org.joml.Vector3d;
 
 /**
  * The part of a level that the simulation uses: the static geometry, and the initial portals and bodies.
@@ -85,6 +88,21 @@ public record SimLevel(
     /** Returns a level of solids and portals. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start, Portals portals) {
         return new SimLevel(statics, start, NO_BODIES, portals, null, List.of());
+    }
+
+    /** Returns a player's start with its feet below a standing player's eye, as for a camera. */
+    public static PlayerStart startBelow(Vec3 eye, double yawDegrees, double pitchDegrees) {
+        var feet = new Vec3(eye.x(), eye.y() - Stance.STANDING.eyeMetres(), eye.z());
+        return new PlayerStart(feet, yawDegrees, Math.max(-90, Math.min(90, pitchDegrees)));
+    }
+
+    /** Returns a start near another one in which the player overlaps no solid; the same one if there is none. */
+    public PlayerStart freeStart(PlayerStart near) {
+        Vec3 feet = near.feet();
+        Vector3d centre = new Vector3d(feet.x(), feet.y() + Stance.STANDING.centreAboveFeet(), feet.z());
+        Vector3d out = new Vector3d();
+        boolean isFound = new Depenetration().find(statics, Stance.STANDING.shape(), centre, out);
+        return isFound ? new PlayerStart(feet.plus(Vec3.of(out)), near.yawDegrees(), near.pitchDegrees()) : near;
     }
 
     /** Returns the world state at tick 0. */

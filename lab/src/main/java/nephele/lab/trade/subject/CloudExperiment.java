@@ -76,7 +76,7 @@ final class CloudExperiment implements Experiment {
                         Flip.ofDisplayed(wanted.get(last), test.get(last)).mean();
                     case FLYING -> worst(wanted, test);
                 };
-        return new Judgement(error, List.copyOf(figures), still.shown(), still.map());
+        return new Judgement(error, List.copyOf(figures), still.picture(), still.map());
     }
 
     private static double worst(List<LinearPicture> wanted, List<LinearPicture> test) {

@@ -91,7 +91,7 @@ final class PlantExperiment implements Experiment {
             figures.add(ImageError.shimmer(exactTurning, turning.displayed(site.gl(), renderer, 1)));
             figures.add(ImageError.shimmer(exactMoving, moving.displayed(site.gl(), renderer, 1)));
         }
-        return new Judgement(still.error(), List.copyOf(figures), still.shown(), still.map());
+        return new Judgement(still.error(), List.copyOf(figures), still.picture(), still.map());
     }
 
     private void drawExact() {

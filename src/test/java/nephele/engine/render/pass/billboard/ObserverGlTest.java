@@ -12,13 +12,13 @@ import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Billboards.Facing;
 import nephele.engine.level.Level;
-import nephele.engine.level.Level.Observer.Bounds;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.billboard.FacingAxes;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.bound.Bound;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -59,7 +59,7 @@ class ObserverGlTest {
 
     /** Returns a level with an observer whose sphere has its centre at a place. */
     private static Level observed(TestLevel level, Vec3 centre) {
-        var observer = new Level.Observer(null, 0.5, Bounds.SPHERE);
+        var observer = new Level.Observer(null, 0.5, Bound.SPHERE);
         return level.level()
                 .with(new PlayerStart(centre.minus(new Vec3(0, 0.5, 0)), 0, 0), null)
                 .withObserver(observer);

@@ -48,7 +48,6 @@ class BakeBudgetTest {
         LightMapLayout layout = LightMapLayout.of(room.solids());
         assertArrayEquals(
                 SkyVisibility.bake(room, done -> {}).texels(),
-                SkyVisibility.bake(layout, room, BakeBudget.Effort.RATIONED, done -> {})
-                        .texels());
+                SkyVisibility.bake(layout, room, true, done -> {}).texels());
     }
 }

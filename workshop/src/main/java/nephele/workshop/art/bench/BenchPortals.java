@@ -129,34 +129,23 @@ final class BenchPortals {
                 double along = offset(column, SIDE_COLUMNS);
                 Vec3 west = new Vec3(-wall, height(row), along);
                 Vec3 east = new Vec3(wall, height(partnerRow), -along);
-                link(
-                        portals,
-                        "side-" + row + "-" + column,
-                        new Place(west, new Vec3(1, 0, 0)),
-                        new Place(east, new Vec3(-1, 0, 0)));
+                String id = "side-" + row + "-" + column;
+                portals.add(spec(id + "-a", id + "-b", west, new Vec3(1, 0, 0)));
+                portals.add(spec(id + "-b", id + "-a", east, new Vec3(-1, 0, 0)));
             }
             for (int column = 0; column < BACK_COLUMNS / 2; column++) {
                 Vec3 left = new Vec3(offset(column, BACK_COLUMNS), height(row), -wall);
                 Vec3 right = new Vec3(offset(BACK_COLUMNS - 1 - column, BACK_COLUMNS), height(partnerRow), -wall);
-                link(
-                        portals,
-                        "back-" + row + "-" + column,
-                        new Place(left, new Vec3(0, 0, 1)),
-                        new Place(right, new Vec3(0, 0, 1)));
+                String id = "back-" + row + "-" + column;
+                portals.add(spec(id + "-a", id + "-b", left, new Vec3(0, 0, 1)));
+                portals.add(spec(id + "-b", id + "-a", right, new Vec3(0, 0, 1)));
             }
         }
         return portals;
     }
 
-    private record Place(Vec3 centre, Vec3 normal) {}
-
-    private static void link(List<PortalSpec> portals, String id, Place a, Place b) {
-        portals.add(spec(id + "-a", id + "-b", a));
-        portals.add(spec(id + "-b", id + "-a", b));
-    }
-
-    private static PortalSpec spec(String id, String to, Place place) {
-        return new PortalSpec(id, to, place.centre, place.normal, UP, 1.2, 2.1, PortalShape.ARCH);
+    private static PortalSpec spec(String id, String to, Vec3 centre, Vec3 normal) {
+        return new PortalSpec(id, to, centre, normal, UP, 1.2, 2.1, PortalShape.ARCH);
     }
 
     private static double height(int row) {

@@ -66,14 +66,34 @@ public final class CloudSlabsProof implements Proof {
     /** Compares the fluxes of one row of the table, numbered from 0. */
     ProofResult compared(int number) {
         SlabRow row = rows.get(number);
-        var checks = new Checks(row);
         var beam = walk(number, number, row, row.mu0(), row.reflected(), row.transmitted());
-        checks.add("R", beam.reflected(), row.reflected());
-        checks.add("T", beam.transmitted(), row.transmitted());
         var diffuse = walk(number, ~number, row, SlabWalk.DIFFUSE, row.diffuseReflected(), row.diffuseTransmitted());
-        checks.add("diffuse R", diffuse.reflected(), row.diffuseReflected());
-        checks.add("diffuse T", diffuse.transmitted(), row.diffuseTransmitted());
-        return checks.result();
+        return new ProofResult(1, 0, List.of(), List.of())
+                .and(compared(row, "R", beam.reflected(), row.reflected()))
+                .and(compared(row, "T", beam.transmitted(), row.transmitted()))
+                .and(compared(row, "diffuse R", diffuse.reflected(), row.diffuseReflected()))
+                .and(compared(row, "diffuse T", diffuse.transmitted(), row.diffuseTransmitted()));
+    }
+
+    private static ProofResult compared(SlabRow row, String flux, RandomMean mean, double reference) {
+        double sigmas = (mean.value() - reference) / Math.max(mean.error(), 1e-5);
+        List<String> failures = new ArrayList<>();
+        if (!(Math.abs(sigmas) <= MOST_SIGMAS) || mean.error() > mostError(reference)) {
+            failures.add(String.format(
+                    Locale.ROOT,
+                    "%s: %s %.6f, not %.6f, error %.1e",
+                    row,
+                    flux,
+                    mean.value(),
+                    reference,
+                    mean.error()));
+        }
+        return ProofResult.of(
+                0,
+                failures,
+                Figure.sum("fluxes", 1, ""),
+                Figure.greatest("farthest from the table", Math.abs(sigmas), "standard errors"),
+                Figure.sum("sum of squared distances", sigmas * sigmas, "of a standard error"));
     }
 
     private static SlabWalk walk(int number, long seed, SlabRow row, double mu0, double reflected, double transmitted) {
@@ -104,43 +124,6 @@ public final class CloudSlabsProof implements Proof {
 
     private static double mostError(double fraction) {
         return Math.max(1e-5, Math.min(0.002, 0.02 * fraction));
-    }
-
-    /** The comparisons of one row. */
-    private static final class Checks {
-        private final SlabRow row;
-        private final List<String> failures = new ArrayList<>();
-        private double squares;
-        private double greatest;
-
-        Checks(SlabRow row) {
-            this.row = row;
-        }
-
-        void add(String name, RandomMean mean, double reference) {
-            double sigmas = (mean.value() - reference) / Math.max(mean.error(), 1e-5);
-            squares += sigmas * sigmas;
-            greatest = Math.max(greatest, Math.abs(sigmas));
-            if (!(Math.abs(sigmas) <= MOST_SIGMAS) || mean.error() > mostError(reference)) {
-                failures.add(String.format(
-                        Locale.ROOT,
-                        "%s: %s %.6f, not %.6f, error %.1e",
-                        row,
-                        name,
-                        mean.value(),
-                        reference,
-                        mean.error()));
-            }
-        }
-
-        ProofResult result() {
-            return ProofResult.of(
-                    1,
-                    failures,
-                    Figure.sum("fluxes", 4, ""),
-                    Figure.greatest("farthest from the table", greatest, "standard errors"),
-                    Figure.sum("sum of squared distances", squares, "of a standard error"));
-        }
     }
 
     /**

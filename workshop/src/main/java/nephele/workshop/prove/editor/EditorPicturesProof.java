@@ -40,7 +40,8 @@ public final class EditorPicturesProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) throws Exception {
         List<String> failures = new ArrayList<>();
-        int[] pictures = {0, 0};
+        long searched = 0;
+        long painted = 0;
         try (WatchedEvents events = new WatchedEvents()) {
             for (long unit = from; unit < from + count; unit++) {
                 Look look = new Look(EditorLook.ALL.get((int) unit), events, every, (int) unit);
@@ -48,16 +49,13 @@ public final class EditorPicturesProof implements Proof {
                     failures.add(failure);
                     progress.failed(failure);
                 });
-                pictures[0] += look.searched;
-                pictures[1] += look.painted;
+                searched += look.searched;
+                painted += look.painted;
                 progress.unitsDone(unit - from + 1);
             }
         }
         return ProofResult.of(
-                count,
-                failures,
-                Figure.sum("pictures searched", pictures[0], ""),
-                Figure.sum("painted", pictures[1], ""));
+                count, failures, Figure.sum("pictures searched", searched, ""), Figure.sum("painted", painted, ""));
     }
 
     /** One look and its pictures. */

@@ -2,7 +2,6 @@ package nephele.workshop.prove.geometry;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import nephele.engine.model.bound.Bound;
 import nephele.lab.trade.subject.ModelPairs;
 import nephele.workshop.prove.proof.Claim;
@@ -50,15 +49,21 @@ public final class CollisionBoundsProof implements Proof {
     /** Returns whether a volume reports none where one reports a contact that lies within it. */
     private static boolean isWrong(boolean[] touch) {
         boolean isContact = touch[Bound.TRIANGLES.ordinal()];
-        boolean isOfTree = touch[Bound.HIERARCHY.ordinal()];
+        boolean isOfTree = touch[Bound.TREE.ordinal()];
         boolean isOfBox = touch[Bound.ORIENTED_BOX.ordinal()];
         return isContact && !isOfTree
                 || isContact && !touch[Bound.SPHERE.ordinal()]
                 || isOfTree && !isOfBox
-                || isOfBox && !touch[Bound.AXIS_ALIGNED_BOX.ordinal()];
+                || isOfBox && !touch[Bound.BOX.ordinal()];
     }
 
     private static String words(Bound bound) {
-        return bound.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+        return switch (bound) {
+            case SPHERE -> "sphere";
+            case BOX -> "axis aligned box";
+            case ORIENTED_BOX -> "oriented box";
+            case TREE -> "hierarchy";
+            case TRIANGLES -> "triangles";
+        };
     }
 }

@@ -113,11 +113,11 @@ public final class TerrainDetailProof implements Proof {
             Matrix4d clip = view.clipFromRelative(new Matrix4d());
             Frustum visible = Frustum.of(clip, view.eye());
             DetailRanges ranges = DetailRanges.of(detail, TerrainTiles.scale(view.projection(), WIDTH, HEIGHT, 1));
-            tiles.select(ranges, TerrainTiles.seenFrom(view), visible);
+            tiles.select(ranges, TerrainTiles.detailView(view), visible);
             worstOfView = 0;
             double tanHalfWidth = view.projection().tanHalfWidth();
             double tanHalfHeight = view.projection().tanHalfHeight();
-            new DrawnDetail(field, TerrainTiles.seenFrom(view), tiles)
+            new DrawnDetail(field, TerrainTiles.detailView(view), tiles)
                     .samples((column, row, drawnHeight) ->
                             compare(view, tanHalfWidth, tanHalfHeight, column, row, drawnHeight));
             worstPixels = Math.max(worstPixels, worstOfView);

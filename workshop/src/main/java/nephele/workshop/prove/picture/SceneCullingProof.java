@@ -62,18 +62,23 @@ public final class SceneCullingProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        var tally = new Tally();
+        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, SIZE, SIZE)) {
             for (long unit = from; unit < from + count; unit++) {
-                compare(unit, gl, picture, tally);
+                result = result.and(compared(unit, gl, picture));
                 progress.unitsDone(unit + 1 - from);
             }
         }
-        return tally.result(count);
+        return result;
     }
 
-    private static void compare(long unit, GlContext gl, RenderTarget picture, Tally tally) {
+    private static ProofResult compared(long unit, GlContext gl, RenderTarget picture) {
+        List<String> failures = new ArrayList<>();
+        long drawnPixels = 0;
+        long wrongPixels = 0;
+        long triangles = 0;
+        long submitted = 0;
         var random = new SplittableRandom(unit);
         XmlScene scene = scene(random);
         var files = new SceneFolder("scene " + unit, new ResourceAssets(LevelAssets.JAR_LEVELS), complaint -> {
@@ -87,13 +92,29 @@ public final class SceneCullingProof implements Proof {
                 View view = view(random);
                 double seconds = 100 * random.nextDouble();
                 ByteBuffer all = pixels(drawing, view, seconds, look.with(Culling.OFF), picture);
-                long trianglesOfAll = takeTriangles(gl);
+                triangles += takeTriangles(gl);
                 ByteBuffer culled = pixels(drawing, view, seconds, look, picture);
-                tally.take(all, culled, "scene " + unit + " from " + view);
-                tally.takeTriangles(trianglesOfAll, takeTriangles(gl));
+                submitted += takeTriangles(gl);
+                int wrong = 0;
+                for (int at = 0; at < all.capacity(); at += 4) {
+                    drawnPixels += (all.get(at) | all.get(at + 1) | all.get(at + 2)) != 0 ? 1 : 0;
+                    wrong += all.getInt(at) != culled.getInt(at) ? 1 : 0;
+                }
+                wrongPixels += wrong;
+                if (wrong > 0) {
+                    failures.add("scene " + unit + " from " + view + ": " + wrong + " pixels differ");
+                }
                 gl.requireNoError("culling");
             }
         }
+        return ProofResult.of(
+                1,
+                failures,
+                Figure.sum("models", MODELS, ""),
+                Figure.sum("pixels that show something", drawnPixels, ""),
+                Figure.sum("pixels that differ", wrongPixels, ""),
+                Figure.sum("triangles", triangles, ""),
+                Figure.sum("triangles culled", triangles - submitted, ""));
     }
 
     private static ByteBuffer pixels(
@@ -176,42 +197,5 @@ public final class SceneCullingProof implements Proof {
 
     private static double coordinate(SplittableRandom random, double reach) {
         return reach * (2 * random.nextDouble() - 1);
-    }
-
-    /** The results of pictures. */
-    private static final class Tally {
-        private final List<String> failures = new ArrayList<>();
-        private long drawnPixels;
-        private long wrongPixels;
-        private long triangles;
-        private long culledTriangles;
-
-        void take(ByteBuffer all, ByteBuffer culled, String where) {
-            int wrong = 0;
-            for (int at = 0; at < all.capacity(); at += 4) {
-                drawnPixels += (all.get(at) | all.get(at + 1) | all.get(at + 2)) != 0 ? 1 : 0;
-                wrong += all.getInt(at) != culled.getInt(at) ? 1 : 0;
-            }
-            wrongPixels += wrong;
-            if (wrong > 0) {
-                failures.add(where + ": " + wrong + " pixels differ");
-            }
-        }
-
-        void takeTriangles(long all, long submitted) {
-            triangles += all;
-            culledTriangles += all - submitted;
-        }
-
-        ProofResult result(long units) {
-            return ProofResult.of(
-                    units,
-                    failures,
-                    Figure.sum("models", units * MODELS, ""),
-                    Figure.sum("pixels that show something", drawnPixels, ""),
-                    Figure.sum("pixels that differ", wrongPixels, ""),
-                    Figure.sum("triangles", triangles, ""),
-                    Figure.sum("triangles culled", culledTriangles, ""));
-        }
     }
 }

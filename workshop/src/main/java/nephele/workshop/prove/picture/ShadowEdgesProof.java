@@ -44,6 +44,8 @@ public final class ShadowEdgesProof implements Proof {
 
     private static final double[] RADII = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, FARTHEST_TEXELS};
     private static final int DIRECTIONS = 24;
+    private static final String PIXELS = "pixels";
+    private static final String NARROW = "pixels that stay dark on narrower parts";
 
     @Override
     public Claim claim() {
@@ -60,20 +62,29 @@ public final class ShadowEdgesProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        var tally = new Tally();
+        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
             for (long unit = from; unit < from + count; unit++) {
-                compare(unit, gl, picture, tally);
-                int lit = litPixels(unit, 0, gl, picture);
-                tally.takeDark(lit, unit);
+                result = result.and(compared(unit, gl, picture)).and(dark(unit, litPixels(unit, 0, gl, picture)));
                 progress.unitsDone(unit + 1 - from);
             }
         }
-        return tally.result(count);
+        double narrow = result.value(NARROW);
+        double pixels = result.value(PIXELS);
+        return narrow <= MOST_NARROW * pixels
+                ? result
+                : result.and(ProofResult.of(
+                        0,
+                        List.of(String.format(
+                                Locale.ROOT, "%.0f of %.0f pixels stay dark on narrow parts", narrow, pixels))));
     }
 
-    private static void compare(long unit, GlContext gl, RenderTarget picture, Tally tally) {
+    private static ProofResult compared(long unit, GlContext gl, RenderTarget picture) {
+        List<String> failures = new ArrayList<>();
+        long pixels = 0;
+        long nearEdge = 0;
+        long onNarrowFaces = 0;
         var scene = new ShadowScene(unit / 5).fitted(Quality.HIGH);
         Vec3[] camera = scene.camera((int) (unit % 5));
         View view = Viewpoints.between(camera[0], camera[1], FOV_DEGREES, (double) WIDTH / HEIGHT);
@@ -90,13 +101,34 @@ public final class ShadowEdgesProof implements Proof {
                 sight.at((column + 0.5) / WIDTH, (row + 0.5) / HEIGHT);
                 boolean isLit = shaded[3 * i] / open[3 * i] > 0.5;
                 double texels = offTexels(scene, sight, isLit);
+                pixels++;
                 if (texels > 1 && !isLit && scene.isTooNarrow(sight.place())) {
-                    tally.takeNarrow();
+                    onNarrowFaces++;
+                } else if (texels > 1) {
+                    failures.add(String.format(
+                            Locale.ROOT,
+                            "picture %d pixel (%d, %d): %.2f texels off",
+                            unit,
+                            column,
+                            HEIGHT - 1 - row,
+                            texels));
                 } else {
-                    tally.take(texels, "picture " + unit + " pixel (" + column + ", " + (HEIGHT - 1 - row) + ")");
+                    nearEdge += texels > 0 ? 1 : 0;
                 }
             }
         }
+        return ProofResult.of(
+                1,
+                failures,
+                Figure.sum(PIXELS, pixels, ""),
+                Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
+                Figure.sum("pixels that differ farther off", failures.size(), ""),
+                Figure.sum(NARROW, onNarrowFaces, ""));
+    }
+
+    private static ProofResult dark(long unit, int lit) {
+        List<String> failures = lit == 0 ? List.of() : List.of("closed room " + unit + ": " + lit + " pixels are lit");
+        return ProofResult.of(0, failures, Figure.sum("lit pixels of closed rooms", lit, ""));
     }
 
     /** Returns the number of lit pixels, seen from inside a room that is closed except for a gap under its ceiling. */
@@ -143,50 +175,5 @@ public final class ShadowEdgesProof implements Proof {
             }
         }
         return Double.POSITIVE_INFINITY;
-    }
-
-    /** The results of pixels. */
-    private static final class Tally {
-        private final List<String> failures = new ArrayList<>();
-        private long pixels;
-        private long nearEdge;
-        private long off;
-        private long onNarrowFaces;
-        private long leaks;
-
-        void takeNarrow() {
-            pixels++;
-            onNarrowFaces++;
-        }
-
-        void takeDark(int lit, long unit) {
-            leaks += lit;
-            if (lit > 0) {
-                failures.add("closed room " + unit + ": " + lit + " pixels are lit");
-            }
-        }
-
-        void take(double texels, String where) {
-            pixels++;
-            nearEdge += texels > 0 && texels <= 1 ? 1 : 0;
-            if (texels > 1) {
-                off++;
-                failures.add(String.format(Locale.ROOT, "%s: %.2f texels off", where, texels));
-            }
-        }
-
-        ProofResult result(long units) {
-            if (onNarrowFaces > MOST_NARROW * pixels) {
-                failures.add(onNarrowFaces + " of " + pixels + " pixels stay dark on narrow parts");
-            }
-            return ProofResult.of(
-                    units,
-                    failures,
-                    Figure.sum("pixels", pixels, ""),
-                    Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
-                    Figure.sum("pixels that differ farther off", off, ""),
-                    Figure.sum("pixels that stay dark on narrower parts", onNarrowFaces, ""),
-                    Figure.sum("lit pixels of closed rooms", leaks, ""));
-        }
     }
 }

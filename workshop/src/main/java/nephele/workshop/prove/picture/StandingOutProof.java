@@ -4,7 +4,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.choice.LevelRenderer;
@@ -98,23 +97,23 @@ public final class StandingOutProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) throws Exception {
-        Tally tally = new Tally();
+        ProofResult result = signs(0, 0, 0);
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
             for (long unit = from; unit < from + count; ) {
                 int file = (int) (unit / SIGHTS_OF_LEVEL);
                 long end = Math.min(from + count, (file + 1L) * SIGHTS_OF_LEVEL);
                 int first = (int) (unit % SIGHTS_OF_LEVEL);
-                look(files.get(file), first, first + (int) (end - unit), gl, picture, tally);
+                result = result.and(look(files.get(file), first, first + (int) (end - unit), gl, picture));
                 unit = end;
                 progress.unitsDone(unit - from);
             }
         }
-        return tally.result(count);
+        return result.and(new ProofResult(count, 0, List.of(), List.of()));
     }
 
-    private void look(String file, int first, int end, GlContext gl, RenderTarget picture, Tally tally)
-            throws Exception {
+    private ProofResult look(String file, int first, int end, GlContext gl, RenderTarget picture) throws Exception {
+        ProofResult result = ProofResult.NOTHING;
         OpenedLevel opened = new LevelName(file).open();
         var sky = BakedSky.of(opened.placed(), done -> {});
         var scene = Scene.of(opened.placed(), sky);
@@ -124,15 +123,16 @@ public final class StandingOutProof implements Proof {
         var bare = Scene.of(opened.placed().edited(opened.level().withExits(List.of())), sky);
         try (var with = LevelRenderer.load(gl, scene, settings);
                 var without = LevelRenderer.load(gl, bare, settings.with(Decoration.OFF))) {
-            var drawn = new Drawing(file, opened, signs, with, without, picture, tally);
+            var drawn = new Drawing(file, opened, signs, with, without, picture);
             for (Sign sign : signs.signs()) {
                 List<PlayerStart> viewers = signs.viewers(sign);
                 for (int i = first; i < Math.min(end, viewers.size()); i++) {
-                    drawn.look(sign, viewers.get(i), i, false);
-                    drawn.look(sign, viewers.get(i), i, true);
+                    result = result.and(drawn.look(sign, viewers.get(i), i, false))
+                            .and(drawn.look(sign, viewers.get(i), i, true));
                 }
             }
         }
+        return result;
     }
 
     /** A level that is looked at, with and without its signs. */
@@ -143,7 +143,6 @@ public final class StandingOutProof implements Proof {
         private final Renderer with;
         private final Renderer without;
         private final RenderTarget picture;
-        private final Tally tally;
         private final SimLevel world;
         private final SignContrast contrast = new SignContrast(WIDTH, HEIGHT, AROUND_PIXELS);
 
@@ -153,19 +152,17 @@ public final class StandingOutProof implements Proof {
                 LevelSigns signs,
                 Renderer with,
                 Renderer without,
-                RenderTarget picture,
-                Tally tally) {
+                RenderTarget picture) {
             this.file = file;
             this.opened = opened;
             this.signs = signs;
             this.with = with;
             this.without = without;
             this.picture = picture;
-            this.tally = tally;
             world = SimLevel.of(opened.placed());
         }
 
-        void look(Sign sign, PlayerStart viewer, int number, boolean fromBehind) throws Exception {
+        ProofResult look(Sign sign, PlayerStart viewer, int number, boolean fromBehind) throws Exception {
             var beginning = new Playthrough.Beginning("seen.json", SimSettings.DEFAULT, viewer);
             var walk = new Playthrough(
                     opened.level(), world, beginning, new ReplayInput(Replay.standing("seen.json", TICKS)));
@@ -178,7 +175,7 @@ public final class StandingOutProof implements Proof {
             }
             Vec3 moved = walk.state().player().feet().minus(viewer.feet());
             if (moved.length() > MOST_MOVED_METRES) {
-                return; // nobody can stand there
+                return ProofResult.NOTHING; // nobody can stand there
             }
             View view = walk.view((double) WIDTH / HEIGHT);
             FrameState state = walk.frameState();
@@ -200,11 +197,11 @@ public final class StandingOutProof implements Proof {
                     sign.name(),
                     number,
                     fromBehind ? "third" : "first");
-            tally.add(what, towards.length(), contrasts);
             if (pictures != null) {
                 Files.createDirectories(pictures);
                 Capture.png(drawn, pictures.resolve(what.replaceAll("[^A-Za-z0-9]+", "-") + ".png"));
             }
+            return judged(what, towards.length(), contrasts);
         }
 
         private void shoot(FrameState state) {
@@ -221,59 +218,36 @@ public final class StandingOutProof implements Proof {
         }
     }
 
-    /** The contrasts of the signs. */
-    private static final class Tally {
-        private final List<String> failures = new ArrayList<>();
-        private final double[] least = new double[ColourVision.values().length];
-        private final String[] where = new String[least.length];
-        private int visible;
-        private int hidden;
-        private int far;
-
-        Tally() {
-            Arrays.fill(least, Double.POSITIVE_INFINITY);
+    /** @param contrasts by the ordinal of the {@link ColourVision}; {@code null} if most of the sign is hidden */
+    private static ProofResult judged(String what, double metres, double[] contrasts) {
+        if (contrasts == null) {
+            return signs(0, 0, 1);
         }
-
-        void add(String what, double metres, double[] contrasts) {
-            if (contrasts == null) {
-                hidden++;
-                return;
-            }
-            visible++;
-            far += metres > 18 ? 1 : 0;
-            ColourVision worst = ColourVision.NORMAL;
-            for (ColourVision vision : ColourVision.values()) {
-                int i = vision.ordinal();
-                worst = contrasts[i] < contrasts[worst.ordinal()] ? vision : worst;
-                if (contrasts[i] < least[i]) {
-                    least[i] = contrasts[i];
-                    where[i] = what;
-                }
-            }
-            if (contrasts[worst.ordinal()] < LEAST_CONTRAST) {
-                failures.add(String.format(
-                        Locale.ROOT,
-                        "%s, %.1f m: %.1f of L* (%s)",
-                        what,
-                        metres,
-                        contrasts[worst.ordinal()],
-                        worst.name().toLowerCase(Locale.ROOT)));
-            }
+        List<String> failures = new ArrayList<>();
+        List<Figure> figures = new ArrayList<>();
+        ColourVision worst = ColourVision.NORMAL;
+        for (ColourVision vision : ColourVision.values()) {
+            double contrast = contrasts[vision.ordinal()];
+            worst = contrast < contrasts[worst.ordinal()] ? vision : worst;
+            figures.add(Figure.least("least contrast, " + word(vision), contrast, "of L* (" + what + ")"));
         }
-
-        ProofResult result(long units) {
-            List<Figure> figures = new ArrayList<>(List.of(
-                    Figure.sum("signs seen", visible, ""),
-                    Figure.sum("of them from 18 m or more", far, ""),
-                    Figure.sum("signs hidden", hidden, "")));
-            for (ColourVision vision : ColourVision.values()) {
-                int i = vision.ordinal();
-                String name = "least contrast, " + vision.name().toLowerCase(Locale.ROOT);
-                if (where[i] != null) {
-                    figures.add(Figure.least(name, least[i], "of L* (" + where[i] + ")"));
-                }
-            }
-            return ProofResult.of(units, failures, figures);
+        if (contrasts[worst.ordinal()] < LEAST_CONTRAST) {
+            failures.add(String.format(
+                    Locale.ROOT, "%s, %.1f m: %.1f of L* (%s)", what, metres, contrasts[worst.ordinal()], word(worst)));
         }
+        return signs(1, metres > 18 ? 1 : 0, 0).and(ProofResult.of(0, failures, figures));
+    }
+
+    private static ProofResult signs(int visible, int far, int hidden) {
+        return ProofResult.of(
+                0,
+                List.of(),
+                Figure.sum("signs seen", visible, ""),
+                Figure.sum("of them from 18 m or more", far, ""),
+                Figure.sum("signs hidden", hidden, ""));
+    }
+
+    private static String word(ColourVision vision) {
+        return vision.name().toLowerCase(Locale.ROOT);
     }
 }

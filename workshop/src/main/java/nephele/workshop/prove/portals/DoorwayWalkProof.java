@@ -28,7 +28,7 @@ public final class DoorwayWalkProof implements Proof {
      * The relative excess that the mean step between two frames may have over the twin's: edges beyond a portal fall on
      * neighbouring pixels.
      */
-    private static final double STEP_SHARE = 0.01;
+    private static final double STEP_FRACTION = 0.01;
 
     /** The excess, in codes, that the step at the 99.9th percentile of channels may have over the twin's. */
     private static final int STEP_MOST = 2;
@@ -43,12 +43,6 @@ public final class DoorwayWalkProof implements Proof {
 
     private final int width;
     private final int height;
-    private final List<String> failures = new ArrayList<>();
-    private double greatestTwin;
-    private double greatestExcess;
-    private long strangers;
-    private double farthestApart;
-    private long frames;
 
     public DoorwayWalkProof(int width, int height) {
         this.width = width;
@@ -72,31 +66,19 @@ public final class DoorwayWalkProof implements Proof {
     /** Runs units; unit n goes through n modulo 4 doors. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        failures.clear();
-        greatestTwin = 0;
-        greatestExcess = Double.NEGATIVE_INFINITY;
-        strangers = 0;
-        farthestApart = 0;
-        frames = 0;
+        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height)) {
             for (long unit = from; unit < from + count; unit++) {
                 Manner manner = Manner.values()[(int) (unit / (MOST_DOORS + 1)) % Manner.values().length];
-                walk(gl, picture, (int) (unit % (MOST_DOORS + 1)), manner);
+                result = result.and(walk(gl, picture, (int) (unit % (MOST_DOORS + 1)), manner));
                 progress.unitsDone(unit + 1 - from);
             }
         }
-        return ProofResult.of(
-                count,
-                failures,
-                Figure.sum("frames", frames, ""),
-                Figure.greatest("mean difference of a frame from its twin", greatestTwin, "codes"),
-                Figure.sum("pixels away from edges that differ from the twin's", strangers, ""),
-                Figure.greatest("step between frames beyond the doorways'", 100 * greatestExcess, "%"),
-                Figure.greatest("player from its twin", farthestApart, "m"));
+        return result;
     }
 
-    private void walk(GlContext gl, RenderTarget picture, int doors, Manner manner) {
+    private ProofResult walk(GlContext gl, RenderTarget picture, int doors, Manner manner) {
         try (var open = new DoorwayWalk(gl, picture, Doors.OPEN, doors, manner);
                 var through = new DoorwayWalk(gl, picture, Doors.PORTALS, doors, manner)) {
             double twin = 0;
@@ -108,16 +90,12 @@ public final class DoorwayWalkProof implements Proof {
                 byte[] b = through.frame(nanos);
                 twin = Math.max(twin, FrameSteps.between(a, b).mean());
                 strange += FrameSteps.strangers(a, b, width);
-                frames++;
             }
             Step doorway = open.greatestStep();
             Step portal = through.greatestStep();
-            greatestTwin = Math.max(greatestTwin, twin);
-            greatestExcess = Math.max(greatestExcess, portal.mean() / doorway.mean() - 1);
-            strangers += strange;
             double apart = apart(open, through, doors);
-            farthestApart = Math.max(farthestApart, apart);
-            if (portal.mean() > doorway.mean() * (1 + STEP_SHARE)
+            List<String> failures = new ArrayList<>();
+            if (portal.mean() > doorway.mean() * (1 + STEP_FRACTION)
                     || portal.most() > doorway.most() + STEP_MOST
                     || strange > 0
                     || !(twin <= TWIN_CODES && apart <= APART_METRES)) {
@@ -135,6 +113,17 @@ public final class DoorwayWalkProof implements Proof {
                         twin,
                         apart));
             }
+            return ProofResult.of(
+                    1,
+                    failures,
+                    Figure.sum("frames", count, ""),
+                    Figure.greatest("mean difference of a frame from its twin", twin, "codes"),
+                    Figure.sum("pixels away from edges that differ from the twin's", strange, ""),
+                    Figure.greatest(
+                            "step between frames beyond the doorways'",
+                            100 * (portal.mean() / doorway.mean() - 1),
+                            "%"),
+                    Figure.greatest("player from its twin", apart, "m"));
         }
     }
 

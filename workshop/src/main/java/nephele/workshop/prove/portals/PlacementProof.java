@@ -38,7 +38,7 @@ public final class PlacementProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         List<String> failures = new ArrayList<>();
-        FourLinesTally fourLines = new FourLinesTally();
+        ProofResult fourLines = ProofResult.NOTHING;
         long[] nanoseconds = new long[(int) count];
         ThreadMXBean clock = ManagementFactory.getThreadMXBean();
         int placed = 0;
@@ -53,13 +53,13 @@ public final class PlacementProof implements Proof {
             if (objection != null) {
                 failures.add("shot " + unit + " " + objection);
             }
-            fourLines.judge(shot);
+            fourLines = fourLines.and(fourLines(shot));
             placed += answer instanceof PlacementResult.Fits ? 1 : 0;
             slid += answer instanceof PlacementResult.Fits fits && fits.slideMetres() > 0 ? 1 : 0;
             progress.unitsDone(unit + 1 - from);
         }
         Arrays.sort(nanoseconds);
-        List<Figure> figures = new ArrayList<>(List.of(
+        List<Figure> figures = List.of(
                 Figure.sum("portals", placed, ""),
                 Figure.sum("of them slid", slid, ""),
                 Figure.greatest("median query of a batch", nanoseconds[nanoseconds.length / 2] / 1e6, "ms"),
@@ -68,37 +68,23 @@ public final class PlacementProof implements Proof {
                 Figure.greatest(
                         "longest query, compilation and collection included",
                         nanoseconds[nanoseconds.length - 1] / 1e6,
-                        "ms")));
-        figures.addAll(fourLines.figures());
-        return ProofResult.of(count, failures, figures);
+                        "ms"));
+        return ProofResult.of(count, failures, figures).and(fourLines);
     }
 
     /** Counts the wrong answers of the student report's four lines, for its rectangle at the aimed place. */
-    private static final class FourLinesTally {
-        private int asked;
-        private int accepted;
-        private int wronglyAccepted;
-        private int wronglyRefused;
-
-        void judge(WallShot shot) {
-            if (shot.wall.soup() == null) {
-                return;
-            }
-            RectangleQuestion question = RectangleQuestion.of(shot);
-            boolean accepts = question.byFourLines();
-            asked++;
-            accepted += accepts ? 1 : 0;
-            wronglyAccepted += accepts && !question.fits() ? 1 : 0;
-            wronglyRefused += question.fits() && !accepts ? 1 : 0;
-        }
-
-        List<Figure> figures() {
-            return List.of(
-                    Figure.sum("rectangles shown to the four lines", asked, ""),
-                    Figure.sum("accepted by them", accepted, ""),
-                    Figure.sum("wrongly accepted", wronglyAccepted, ""),
-                    Figure.sum("wrongly refused", wronglyRefused, ""));
-        }
+    private static ProofResult fourLines(WallShot shot) {
+        boolean isAsked = shot.wall.soup() != null;
+        RectangleQuestion question = isAsked ? RectangleQuestion.of(shot) : null;
+        boolean accepts = isAsked && question.byFourLines();
+        boolean fits = isAsked && question.fits();
+        return ProofResult.of(
+                0,
+                List.of(),
+                Figure.sum("rectangles shown to the four lines", isAsked ? 1 : 0, ""),
+                Figure.sum("accepted by them", accepts ? 1 : 0, ""),
+                Figure.sum("wrongly accepted", accepts && !fits ? 1 : 0, ""),
+                Figure.sum("wrongly refused", fits && !accepts ? 1 : 0, ""));
     }
 
     /** Searches for a better answer to a shot than the given one. */

@@ -1,6 +1,5 @@
 package nephele.workshop.prove.portals;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
@@ -32,15 +31,10 @@ public final class RoomExitsProof implements Proof {
 
     private static final double AT_REST_METRES_PER_SECOND = 1e-3;
     private static final int DIRECTIONS = 8;
-    private static final int MOST_EXAMPLES = 10;
-
-    /** The results of a range of exits. */
-    private static final class Tally {
-        long without;
-        long moving;
-        long holes;
-        final List<String> failures = new ArrayList<>();
-    }
+    private static final String WITHOUT = "units without a crossing";
+    private static final String MOVING = "still falling from portal to portal";
+    private static final String HOLES = "flung more than 1 m away, into a hole of the room";
+    private static final String NONE = "";
 
     @Override
     public Claim claim() {
@@ -54,7 +48,7 @@ public final class RoomExitsProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        Tally tally = new Tally();
+        ProofResult result = ProofResult.NOTHING;
         CrossingPlayers players = null;
         long number = -1;
         for (long unit = from; unit < from + count; unit++) {
@@ -64,24 +58,16 @@ public final class RoomExitsProof implements Proof {
                 int rate = RATES[(int) (number % RATES.length)];
                 players = new CrossingPlayers(room, new SimSettings(rate, Assist.USUAL));
             }
-            exit(players, RATES[(int) (number % RATES.length)], unit, tally);
+            result = result.and(exit(players, RATES[(int) (number % RATES.length)], unit));
             progress.unitsDone(unit + 1 - from);
         }
-        return new ProofResult(
-                count,
-                tally.failures.size(),
-                List.of(
-                        Figure.sum("units without a crossing", tally.without, ""),
-                        Figure.sum("still falling from portal to portal", tally.moving, ""),
-                        Figure.sum("flung more than 1 m away, into a hole of the room", tally.holes, "")),
-                tally.failures.subList(0, Math.min(tally.failures.size(), MOST_EXAMPLES)));
+        return result;
     }
 
-    private static void exit(CrossingPlayers players, int rate, long unit, Tally tally) {
+    private static ProofResult exit(CrossingPlayers players, int rate, long unit) {
         SimState out = players.crossed(new SplittableRandom(unit ^ 0x5DEECE66DL));
         if (out == null) {
-            tally.without++;
-            return;
+            return ended(WITHOUT);
         }
         SimState rest = out;
         Vec3 exit = out.player().feet();
@@ -93,19 +79,29 @@ public final class RoomExitsProof implements Proof {
         }
         double depth = players.depth(rest.player());
         if (depth > 0) {
-            tally.failures.add("exit " + unit + ": " + depth + " m in a solid: " + rest.player());
+            return failed("exit " + unit + ": " + depth + " m in a solid: " + rest.player());
         } else if (!isAtRest(rest)) {
-            tally.moving++;
+            return ended(MOVING);
         } else if (leaves(players, rate, rest)) {
-            return;
-        } else if (Math.hypot(
-                        rest.player().feet().x() - exit.x(),
-                        rest.player().feet().z() - exit.z())
-                > EXIT_METRES) {
-            tally.holes++;
-        } else {
-            tally.failures.add("exit " + unit + " ends in a corner: " + rest.player());
+            return ended(NONE);
         }
+        double metres = Math.hypot(
+                rest.player().feet().x() - exit.x(), rest.player().feet().z() - exit.z());
+        return metres > EXIT_METRES ? ended(HOLES) : failed("exit " + unit + " ends in a corner: " + rest.player());
+    }
+
+    private static ProofResult failed(String example) {
+        return ended(NONE).and(ProofResult.of(0, List.of(example)));
+    }
+
+    /** Returns the result of an exit that one of the figures counts, or none. */
+    private static ProofResult ended(String figure) {
+        return ProofResult.of(
+                1,
+                List.of(),
+                Figure.sum(WITHOUT, figure.equals(WITHOUT) ? 1 : 0, ""),
+                Figure.sum(MOVING, figure.equals(MOVING) ? 1 : 0, ""),
+                Figure.sum(HOLES, figure.equals(HOLES) ? 1 : 0, ""));
     }
 
     private static boolean isAtRest(SimState state) {

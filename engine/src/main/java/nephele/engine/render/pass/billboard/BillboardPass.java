@@ -30,7 +30,7 @@ import nephele.engine.render.gl.shader.Uniforms.Whole;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
 import nephele.engine.render.resource.BillboardQuads.Cluster;
-import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.BillboardQuads.Kind;
 import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.SurfaceLight;

@@ -1,7 +1,5 @@
 package nephele.engine.render.pass.lightning;
 
-import java.nio.ByteBuffer;
-import java.nio.IntBuffer;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -26,14 +24,11 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.VertexFormat;
-import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.View;
-import org.lwjgl.system.MemoryUtil;
 
 /**
  * Adds the bolt of a strike to each view: behind surfaces it is hidden, and clouds in front of a point take from it what
@@ -49,9 +44,6 @@ public final class LightningPass implements Pass {
             .using(FrameLightning.RESOURCE, MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/lightning/";
-    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);
-    private static final float[] CORNERS = {-1, -1, 1, -1, 1, 1, -1, 1};
-    private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
 
     /** Share of a bolt's light that comes from the channel itself; clouds around it scatter most of the rest. */
     private static final double CHANNEL_FRACTION = 0.1;
@@ -92,26 +84,7 @@ public final class LightningPass implements Pass {
         MeteredExposure.readInViews(context);
         var defines = Defines.of(context).withIf(hasClouds, "CLOUDS").values();
         program = GlProgram.of(gl, FOLDER + "bolt.vert", FOLDER + "bolt.frag", defines, Places.class);
-        quads = context.own(quads(context));
-    }
-
-    private static GpuMesh quads(LoadContext context) {
-        ByteBuffer corners = MemoryUtil.memAlloc(Bolt.MOST_POINTS * 4 * FORMAT.strideBytes());
-        IntBuffer triangles = MemoryUtil.memAllocInt(Bolt.MOST_POINTS * TRIANGLES.length);
-        try {
-            for (int quad = 0; quad < Bolt.MOST_POINTS; quad++) {
-                for (float corner : CORNERS) {
-                    corners.putFloat(corner);
-                }
-                for (int corner : TRIANGLES) {
-                    triangles.put(4 * quad + corner);
-                }
-            }
-            return new GpuMesh(context.gl(), "segments of a bolt", FORMAT, corners.flip(), triangles.flip());
-        } finally {
-            MemoryUtil.memFree(corners);
-            MemoryUtil.memFree(triangles);
-        }
+        quads = context.own(GpuMesh.squares(gl, "segments of a bolt", Bolt.MOST_POINTS));
     }
 
     private static boolean hasClouds(FrameRequest request) {
@@ -167,6 +140,6 @@ public final class LightningPass implements Pass {
     private void draw(FrameContext frame, Spread spread, int step, int segments) {
         int height = frame.surface().height();
         program.uniforms().spreading.set((float) spread.weight, (float) (spread.radius * height), step);
-        quads.drawInstanced(0, TRIANGLES.length * segments, 1);
+        quads.drawInstanced(0, GpuMesh.SQUARE_INDICES * segments, 1);
     }
 }

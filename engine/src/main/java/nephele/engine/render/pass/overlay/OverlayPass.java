@@ -15,7 +15,6 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import org.lwjgl.system.MemoryUtil;
@@ -93,10 +92,11 @@ public final class OverlayPass implements AutoCloseable {
                 "ATLAS_WIDTH", FontAtlas.WIDTH_TEXELS + ".0",
                 "ATLAS_HEIGHT", atlas.height() + ".0",
                 "STEPS_PER_TEXEL", FontAtlas.STEPS_PER_TEXEL + ".0");
-        program = new GlProgram<>(
+        program = GlProgram.of(
                 gl,
-                ShaderSource.load(FOLDER + "overlay.vert", defines),
-                ShaderSource.load(FOLDER + "overlay.frag", defines),
+                FOLDER + "overlay.vert",
+                FOLDER + "overlay.frag",
+                defines,
                 uniforms -> uniforms.vector4("pictureSize"));
         quads = new QuadStream(gl, "overlay", FORMAT);
         letters = texture(

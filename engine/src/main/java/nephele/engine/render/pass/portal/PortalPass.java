@@ -25,7 +25,6 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.OpeningMesh;
@@ -81,11 +80,7 @@ public final class PortalPass implements Pass {
 
     private static <U> GlProgram<U> program(LoadContext context, String fragment, Function<Uniforms, U> uniforms) {
         Map<String, String> defines = Defines.of(context).values();
-        return new GlProgram<>(
-                context.gl(),
-                ShaderSource.load(FOLDER + "opening.vert", defines),
-                ShaderSource.load(FOLDER + fragment, defines),
-                uniforms);
+        return GlProgram.of(context.gl(), FOLDER + "opening.vert", FOLDER + fragment, defines, uniforms);
     }
 
     @Override

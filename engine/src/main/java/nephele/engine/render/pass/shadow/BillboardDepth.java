@@ -14,7 +14,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.gl.shader.Uniforms.IfRead;
 import nephele.engine.render.resource.BillboardList;
 import nephele.engine.render.resource.BillboardQuads;
-import nephele.engine.render.resource.BillboardSource.Kind;
+import nephele.engine.render.resource.BillboardQuads.Kind;
 import nephele.engine.render.resource.SquareSheet;
 import nephele.engine.scene.light.ShadowFrame;
 

@@ -1,7 +1,5 @@
 package nephele.engine.render.pass.shot;
 
-import java.nio.ByteBuffer;
-import java.nio.IntBuffer;
 import java.util.List;
 import nephele.engine.level.appearance.FlashStyle;
 import nephele.engine.math.Vec3;
@@ -20,14 +18,11 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
-import nephele.engine.render.gl.VertexFormat;
-import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
-import org.lwjgl.system.MemoryUtil;
 
 /**
  * Draws the light of the last shots in every view, over its surfaces and hidden by them, each effect a rectangle. Between
@@ -39,9 +34,6 @@ public final class ShotPass implements Pass {
             .using(MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/shot/";
-    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT2);
-    private static final float[] CORNERS = {-1, -1, 1, -1, 1, 1, -1, 1};
-    private static final int[] TRIANGLES = {0, 1, 2, 2, 3, 0};
 
     private static final float BOLT_METRES = 0.035f;
     /** Least half width of a bolt, pixels. */
@@ -76,24 +68,7 @@ public final class ShotPass implements Pass {
         MeteredExposure.readInViews(context);
         var defines = Defines.of(context).values();
         program = GlProgram.of(gl, FOLDER + "shot.vert", FOLDER + "shot.frag", defines, Places.class);
-        quad = context.own(quad(gl));
-    }
-
-    private static GpuMesh quad(GlContext gl) {
-        ByteBuffer corners = MemoryUtil.memAlloc(Float.BYTES * CORNERS.length);
-        IntBuffer triangles = MemoryUtil.memAllocInt(TRIANGLES.length);
-        try {
-            corners.asFloatBuffer().put(CORNERS);
-            return new GpuMesh(
-                    gl,
-                    "light of shots",
-                    FORMAT,
-                    corners,
-                    triangles.put(TRIANGLES).flip());
-        } finally {
-            MemoryUtil.memFree(corners);
-            MemoryUtil.memFree(triangles);
-        }
+        quad = context.own(GpuMesh.squares(gl, "light of shots", 1));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -124,7 +99,7 @@ public final class ShotPass implements Pass {
         fromEye(view, effect.from(), origin);
         fromEye(view, effect.to(), along).sub(origin);
         if (isBolt) {
-            // The same direction at every point of the way.
+            // The same direction at every point of its path.
             along.cross(origin, across);
             across.div(Math.max(across.length(), 1e-12));
         } else {
@@ -142,7 +117,7 @@ public final class ShotPass implements Pass {
         Vec3 tint = frame.frameState().shotPalette().rim(effect.colour());
         places.tint.set((float) tint.x(), (float) tint.y(), (float) tint.z());
         places.ageAndKind.set((float) effect.age(), isBolt ? 0 : 1, isSoftened ? SOFTENED : 1);
-        quad.draw(0, TRIANGLES.length);
+        quad.draw(0, GpuMesh.SQUARE_INDICES);
     }
 
     private static Vector3d fromEye(View view, Vec3 place, Vector3d out) {

@@ -41,7 +41,7 @@ public final class AtmospherePass implements Pass {
     private SkyProgram night;
 
     private final LoadContext context;
-    private final HeightCache<SunAndMoonTables> byHeight;
+    private final HeightCache byHeight;
     private AirTables tables;
     private SunAndMoon lights;
 
@@ -49,7 +49,7 @@ public final class AtmospherePass implements Pass {
         this.context = context;
         day = new SkyProgram(context, false);
         tables = context.shareValue(AirTables.class, Daylight.air(sky), () -> AirCache.tables(Daylight.air(sky)));
-        byHeight = context.own(new HeightCache<>(this::tables));
+        byHeight = context.own(new HeightCache(this::tables));
     }
 
     private SunAndMoonTables tables(double heightMetres) {
@@ -80,7 +80,7 @@ public final class AtmospherePass implements Pass {
     public void draw(FrameContext frame) {
         double height = frame.view().eye().y();
         follow(frame.frameState().environment());
-        SunAndMoonTables near = byHeight.near(height, known -> known.isReady(lights), known -> known.prepare(lights));
+        SunAndMoonTables near = byHeight.near(height, lights);
         near.show(lights);
         SkyProgram program = program();
         program.sun(lights, tables.air(), near.heightMetres(), height);

@@ -26,7 +26,6 @@ import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
-import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.resource.PictureArrays;
@@ -57,10 +56,11 @@ public final class SkyboxPass implements Pass {
         mesh = context.own(mesh(gl, faces.extent().width()));
         whiteRadiance = (float) sky.whiteRadiance();
         var defines = Defines.of(context).values();
-        program = new GlProgram<>(
+        program = GlProgram.of(
                 gl,
-                ShaderSource.load(FOLDER + "skybox.vert", defines),
-                ShaderSource.load(FOLDER + "skybox.frag", defines),
+                FOLDER + "skybox.vert",
+                FOLDER + "skybox.frag",
+                defines,
                 uniforms -> uniforms.scalar("whiteRadiance"));
     }
 

@@ -4,6 +4,9 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.terrain.TerrainLayers;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.heightfield.DetailView;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
@@ -18,12 +21,17 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms.IfRead;
+import nephele.engine.render.gl.shader.Uniforms.Vector2;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;
+import nephele.engine.render.resource.TerrainUniforms;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.TerrainSky;
@@ -81,6 +89,58 @@ final class GroundDrawing {
         colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
         normals =
                 MaterialBlocks.readsNormalMap(look.kind(), context.quality()) ? normals(context, look.normals()) : null;
+    }
+
+    /** The uniforms of a terrain's program. The program reads what the terrain, its layers and its light require. */
+    private record GroundUniforms(
+            TerrainUniforms place,
+            @IfRead Vector4 detailView,
+            @IfRead Vector3 detailAlong,
+            @IfRead Vector2 halfSteps,
+            @IfRead Vector2 cellMetres,
+            @IfRead Vector3 originFromAnchor,
+            @IfRead Vector2 bakedPerMetre,
+            @IfRead Vector2 texelsPerMetre,
+            @IfRead List<Vector4> layerHeights,
+            @IfRead List<Vector4> layerSlopes,
+            @IfRead List<Vector3> layerOrigins) {
+        /** Steps a pixel of the grid to which rasterisers round corners; OpenGL demands 16, all known ones have 256. */
+        private static final float STEPS_PER_PIXEL = 256;
+
+        void set(HeightField field, GroundLook look, Vec3 anchor) {
+            cellMetres.set(field.cellX(), field.cellZ());
+            originFromAnchor.set(field.origin().minus(anchor));
+            bakedPerMetre.set(1 / (field.cellX() * field.cellColumns()), 1 / (field.cellZ() * field.cellRows()));
+            double[] limits = look.limits();
+            for (int i = 0; i < layerHeights.size(); i++) {
+                set(layerHeights.get(i), limits, TerrainLayers.LIMITS * i);
+                set(layerSlopes.get(i), limits, TerrainLayers.LIMITS * i + 4);
+            }
+            for (int i = 0; i < layerOrigins.size(); i++) {
+                layerOrigins.get(i).set(look.origins().get(i));
+            }
+        }
+
+        void setPaint(HeightField field, LayerMap map) {
+            double columns = (map.columns() - 1) / (field.cellX() * field.cellColumns());
+            double rows = (map.rows() - 1) / (field.cellZ() * field.cellRows());
+            texelsPerMetre.set(columns, rows);
+        }
+
+        /**
+         * Sets the view of a terrain of few triangles.
+         *
+         * @param width of its picture, pixels; {@code height} likewise
+         */
+        void setDetail(DetailView view, int width, int height) {
+            halfSteps.set(STEPS_PER_PIXEL * width / 2, STEPS_PER_PIXEL * height / 2);
+            detailView.set(view.forward(), view.leastShare());
+            detailAlong.set(view.along());
+        }
+
+        private static void set(Vector4 uniform, double[] values, int at) {
+            uniform.set(values[at], values[at + 1], values[at + 2], values[at + 3]);
+        }
     }
 
     /** The tiles that a program draws. */
@@ -168,7 +228,7 @@ final class GroundDrawing {
     void draw(FrameContext frame) {
         bind();
         if (tiles != null) {
-            tiles.select(TerrainTiles.seenFrom(frame.view()), scale(frame), frame.frustum());
+            tiles.select(TerrainTiles.detailView(frame.view()), scale(frame), frame.frustum());
         }
         for (int i = 0; i < parts.size(); i++) {
             Part part = parts.get(i);
@@ -210,7 +270,7 @@ final class GroundDrawing {
         if (tiles != null) {
             uniforms.place().chunk(mesh.field(), 0, 0);
             uniforms.setDetail(
-                    TerrainTiles.seenFrom(view),
+                    TerrainTiles.detailView(view),
                     frame.surface().width(),
                     frame.surface().height());
         }

@@ -48,10 +48,4 @@ final class BakeBudget implements Occluders.Sight {
         }
         return divisor;
     }
-
-    /** The ray budget of a bake: full for shipped levels, limited for others, which are baked during loading. */
-    enum Effort {
-        FULL,
-        RATIONED
-    }
 }

@@ -52,11 +52,11 @@ final class ModelVisibility {
     }
 
     /** Uses the full share of rays, or fewer if the budget is limited. */
-    private static ModelVisibility of(StaticShapes statics, BakeBudget.Effort effort) {
+    private static ModelVisibility of(StaticShapes statics, boolean isRationed) {
         Occluders occluders = new Occluders(statics);
         int vertices = Math.max(statics.models().vertexCount(), 1);
         int rays = Math.min(Math.max(LEAST_RAYS, ALL_RAYS / vertices), SkyVisibilityBake.RAYS);
-        int divisor = effort == BakeBudget.Effort.RATIONED ? divisor(statics, occluders, rays) : 1;
+        int divisor = isRationed ? divisor(statics, occluders, rays) : 1;
         int left = Math.max(LEAST_RAYS, rays / divisor);
         int vertexStep = Math.max(1, divisor * left / rays);
         return new ModelVisibility(statics, occluders, occluders::isOccluded, left, vertexStep);
@@ -81,8 +81,8 @@ final class ModelVisibility {
     }
 
     /** Returns a value, 0–65535 for 0–1, for every vertex of every model in order. */
-    static short[] values(StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
-        ModelVisibility bake = ModelVisibility.of(statics, effort);
+    static short[] values(StaticShapes statics, boolean isRationed, DoubleConsumer progress) {
+        ModelVisibility bake = ModelVisibility.of(statics, isRationed);
         int count = statics.models().all().size();
         short[][] byModel = new short[count][];
         AtomicInteger done = new AtomicInteger();
@@ -102,8 +102,8 @@ final class ModelVisibility {
 
     private short[] model(PlacedModel model, int item) {
         WorldTriangles mesh = model.triangles();
-        double[] seen = new double[mesh.positions().length / 3];
-        boolean[] known = new boolean[seen.length];
+        double[] visible = new double[mesh.positions().length / 3];
+        boolean[] known = new boolean[visible.length];
         int met = 0;
         double last = 0;
         for (int i = 0; i < 3 * mesh.count(); i++) {
@@ -111,18 +111,18 @@ final class ModelVisibility {
             if (!known[vertex]) {
                 known[vertex] = true;
                 last = met++ % vertexStep == 0 ? visibility(mesh, i / 3, i % 3, item) : last;
-                seen[vertex] = last;
+                visible[vertex] = last;
             }
         }
-        fillFromNeighbours(mesh, seen);
-        short[] values = new short[seen.length];
+        fillFromNeighbours(mesh, visible);
+        short[] values = new short[visible.length];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (short) Math.round(seen[i] * 65535);
+            values[i] = (short) Math.round(visible[i] * 65535);
         }
         return values;
     }
 
-    /** Returns the visible share, NaN inside a solid. */
+    /** Returns the visible fraction, NaN inside a solid. */
     private double visibility(WorldTriangles mesh, int triangle, int corner, int item) {
         Vec3 n = mesh.normal(triangle, corner);
         double[] origin = inside(mesh, triangle, corner);
@@ -150,27 +150,28 @@ final class ModelVisibility {
         Vec3 a = mesh.corner(triangle, (corner + 1) % 3);
         Vec3 b = mesh.corner(triangle, (corner + 2) % 3);
         Vec3 inward = new Vec3((a.x() + b.x()) / 2 - p.x(), (a.y() + b.y()) / 2 - p.y(), (a.z() + b.z()) / 2 - p.z());
-        double share = Math.min(LARGEST_INSET, INSET_METRES / inward.length());
-        return new double[] {p.x() + share * inward.x(), p.y() + share * inward.y(), p.z() + share * inward.z()};
+        double fraction = Math.min(LARGEST_INSET, INSET_METRES / inward.length());
+        return new double[] {p.x() + fraction * inward.x(), p.y() + fraction * inward.y(), p.z() + fraction * inward.z()
+        };
     }
 
     /**
      * Gives a vertex inside a solid the mean of the other vertices of its triangles: it is hidden, but light is
      * interpolated towards it.
      */
-    private static void fillFromNeighbours(WorldTriangles mesh, double[] seen) {
-        double[] sums = new double[seen.length];
-        int[] counts = new int[seen.length];
+    private static void fillFromNeighbours(WorldTriangles mesh, double[] visible) {
+        double[] sums = new double[visible.length];
+        int[] counts = new int[visible.length];
         for (int i = 0; i < mesh.vertices().length; i++) {
             for (int other = 1; other < 3; other++) {
-                double value = seen[mesh.vertices()[i - i % 3 + (i + other) % 3]];
+                double value = visible[mesh.vertices()[i - i % 3 + (i + other) % 3]];
                 sums[mesh.vertices()[i]] += Double.isNaN(value) ? 0 : value;
                 counts[mesh.vertices()[i]] += Double.isNaN(value) ? 0 : 1;
             }
         }
-        for (int i = 0; i < seen.length; i++) {
-            if (Double.isNaN(seen[i])) {
-                seen[i] = counts[i] == 0 ? 0 : sums[i] / counts[i];
+        for (int i = 0; i < visible.length; i++) {
+            if (Double.isNaN(visible[i])) {
+                visible[i] = counts[i] == 0 ? 0 : sums[i] / counts[i];
             }
         }
     }

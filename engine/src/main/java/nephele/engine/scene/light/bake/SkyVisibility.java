@@ -39,16 +39,21 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
      * @param progress receives the completed fraction, 0–1, from any thread
      */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
-        return bake(LightMapLayout.of(statics.solids()), statics, BakeBudget.Effort.FULL, progress);
+        return bake(LightMapLayout.of(statics.solids()), statics, false, progress);
     }
 
+    /**
+     * Bakes for a layout.
+     *
+     * @param isRationed whether the ray budget is limited, as for levels that are baked while they are loaded
+     */
     static SkyVisibility bake(
-            LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
+            LightMapLayout layout, StaticShapes statics, boolean isRationed, DoubleConsumer progress) {
         double ofModels = statics.models().isEmpty() ? 0 : 0.5;
         short[] texels =
-                SkyVisibilityBake.texels(layout, statics, effort, done -> progress.accept(done * (1 - ofModels)));
+                SkyVisibilityBake.texels(layout, statics, isRationed, done -> progress.accept(done * (1 - ofModels)));
         short[] values =
-                ModelVisibility.values(statics, effort, done -> progress.accept(1 - ofModels + done * ofModels));
+                ModelVisibility.values(statics, isRationed, done -> progress.accept(1 - ofModels + done * ofModels));
         return new SkyVisibility(layout, statics, texels, values);
     }
 

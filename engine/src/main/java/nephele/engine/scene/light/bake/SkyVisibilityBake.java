@@ -42,9 +42,9 @@ public final class SkyVisibilityBake {
     }
 
     /** Uses all rays, or fewer if the budget is limited. */
-    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort) {
+    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, boolean isRationed) {
         Occluders solids = new Occluders(statics);
-        int stride = effort == BakeBudget.Effort.RATIONED ? stride(layout, solids) : 1;
+        int stride = isRationed ? stride(layout, solids) : 1;
         return new SkyVisibilityBake(layout, solids, solids::isOccluded, stride);
     }
 
@@ -89,9 +89,8 @@ public final class SkyVisibilityBake {
         return middles;
     }
 
-    static short[] texels(
-            LightMapLayout layout, StaticShapes statics, BakeBudget.Effort effort, DoubleConsumer progress) {
-        SkyVisibilityBake bake = SkyVisibilityBake.of(layout, statics, effort);
+    static short[] texels(LightMapLayout layout, StaticShapes statics, boolean isRationed, DoubleConsumer progress) {
+        SkyVisibilityBake bake = SkyVisibilityBake.of(layout, statics, isRationed);
         short[] texels = new short[layout.width() * layout.height()];
         AtomicInteger done = new AtomicInteger();
         int charts = layout.charts().size();
@@ -149,9 +148,9 @@ public final class SkyVisibilityBake {
             double x = column + offsets[i % offsets.length];
             double y = row + offsets[i / offsets.length];
             if (x > 0 && x < chart.columns() - 1 && y > 0 && y < chart.rows() - 1) {
-                double seen = visibility(chart, chart.inside(x, y), brush, i, step);
-                sum += Double.isNaN(seen) ? 0 : seen;
-                weights += Double.isNaN(seen) ? 0 : 1;
+                double visible = visibility(chart, chart.inside(x, y), brush, i, step);
+                sum += Double.isNaN(visible) ? 0 : visible;
+                weights += Double.isNaN(visible) ? 0 : 1;
             }
         }
         return sum / weights;

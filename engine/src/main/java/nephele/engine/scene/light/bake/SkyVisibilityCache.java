@@ -45,7 +45,7 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
             return known.get();
         }
         LightMapLayout layout = LightMapLayout.of(statics.solids());
-        SkyVisibility visibility = SkyVisibility.bake(layout, statics, BakeBudget.Effort.RATIONED, progress);
+        SkyVisibility visibility = SkyVisibility.bake(layout, statics, true, progress);
         store(SkyVisibilityFile.nameFor(statics), SkyVisibilityFile.encode(visibility));
         return visibility;
     }

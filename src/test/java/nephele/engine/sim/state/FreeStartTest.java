@@ -1,4 +1,4 @@
-package nephele.engine.sim.player;
+package nephele.engine.sim.state;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,6 +21,8 @@ class FreeStartTest {
     private static final CollisionWorld WORLD = CollisionWorld.of(
             LevelFile.load(Path.of("levels", "samples", "walking.json")).level());
 
+    private static final SimLevel LEVEL = SimLevel.of(WORLD, null);
+
     private static boolean isFree(PlayerStart start) {
         var centre = start.feet().toVector().add(0, Stance.STANDING.centreAboveFeet(), 0, new Vector3d());
         return new Depenetration().isFree(WORLD, Stance.STANDING.shape(), centre);
@@ -28,7 +30,7 @@ class FreeStartTest {
 
     @Test
     void theFeetAreBelowTheEyeAndTheViewIsTheCameras() {
-        var start = FreeStart.below(new Vec3(1, 5, 2), 30, -95);
+        var start = SimLevel.startBelow(new Vec3(1, 5, 2), 30, -95);
         assertEquals(5 - Stance.STANDING.eyeMetres(), start.feet().y());
         assertEquals(30, start.yawDegrees());
         assertEquals(-90, start.pitchDegrees());
@@ -37,21 +39,21 @@ class FreeStartTest {
     @Test
     void aFreeStartStays() {
         var start = new PlayerStart(new Vec3(0, 50, 0), 30, -20);
-        assertEquals(start, FreeStart.near(WORLD, start));
+        assertEquals(start, LEVEL.freeStart(start));
     }
 
     @Test
     void aCameraNearTheFloorBecomesAPlayerOnTheFloor() {
-        var low = FreeStart.below(new Vec3(0, 0.3, 0), 0, 0);
+        var low = SimLevel.startBelow(new Vec3(0, 0.3, 0), 0, 0);
         assertTrue(!isFree(low));
-        var free = FreeStart.near(WORLD, low);
+        var free = LEVEL.freeStart(low);
         assertTrue(isFree(free), free.toString());
         assertTrue(free.feet().minus(low.feet()).length() < 2, free.toString());
     }
 
     @Test
     void withoutSolidsNothingMoves() {
-        var start = FreeStart.below(Vec3.ZERO, 0, 0);
-        assertEquals(start, FreeStart.near(new CollisionWorld(List.of()), start));
+        var start = SimLevel.startBelow(Vec3.ZERO, 0, 0);
+        assertEquals(start, SimLevel.of(new CollisionWorld(List.of()), null).freeStart(start));
     }
 }

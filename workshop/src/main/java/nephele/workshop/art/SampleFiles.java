@@ -7,10 +7,19 @@ import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import nephele.engine.cloud.ExtinctionField;
+import nephele.engine.cloud.field.CloudFields;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.CloudProfile;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** The meshes of the sample level of models: a vase as OBJ, a knot as glTF. */
-final class SampleMeshes {
+/**
+ * The files of sample levels that are no pictures: a vase as OBJ and a knot as glTF for the level of models, a grid of
+ * densities for that of grids.
+ */
+final class SampleFiles {
     private static final int KNOT_STEPS = 160;
     private static final int KNOT_SIDES = 12;
     private static final double KNOT_TUBE_METRES = 0.13;
@@ -37,13 +46,19 @@ final class SampleMeshes {
         {0.6, 0.1}
     };
 
-    private SampleMeshes() {}
+    private static final int GRID_WIDE = 44;
+    private static final int GRID_HIGH = 28;
+    private static final float GRID_WIDE_METRES = 1100;
+    private static final float GRID_HIGH_METRES = 700;
+
+    private SampleFiles() {}
 
     /** Returns the files by asset id. */
     static Map<String, byte[]> all() {
         Map<String, byte[]> files = new LinkedHashMap<>();
         files.put("models/vase.obj", vase().getBytes(StandardCharsets.UTF_8));
         files.put("models/knot.gltf", knot().getBytes(StandardCharsets.UTF_8));
+        files.put("clouds/heap.vol", grid());
         return files;
     }
 
@@ -175,5 +190,35 @@ final class SampleMeshes {
                 + "  ],\n  \"buffers\": [{\"byteLength\": " + bytes.length
                 + ", \"uri\": \"data:application/octet-stream;base64,"
                 + Base64.getEncoder().encodeToString(bytes) + "\"}]\n}\n";
+    }
+
+    /** Returns one heap of noise, taken at the centres of voxels, in Mitsuba's grid volume format, version 3, of 32-bit floats. */
+    private static byte[] grid() {
+        ByteBuffer file =
+                ByteBuffer.allocate(48 + 4 * GRID_WIDE * GRID_HIGH * GRID_WIDE).order(ByteOrder.LITTLE_ENDIAN);
+        file.put(new byte[] {'V', 'O', 'L', 3});
+        file.putInt(1).putInt(GRID_WIDE).putInt(GRID_HIGH).putInt(GRID_WIDE).putInt(1);
+        file.putFloat(-GRID_WIDE_METRES / 2).putFloat(-GRID_HIGH_METRES / 2).putFloat(-GRID_WIDE_METRES / 2);
+        file.putFloat(GRID_WIDE_METRES / 2).putFloat(GRID_HIGH_METRES / 2).putFloat(GRID_WIDE_METRES / 2);
+        ExtinctionField heap = heap();
+        for (int k = 0; k < GRID_WIDE; k++) {
+            for (int j = 0; j < GRID_HIGH; j++) {
+                for (int i = 0; i < GRID_WIDE; i++) {
+                    file.putFloat((float) heap.perMetre(at(i, GRID_WIDE), at(j, GRID_HIGH), at(k, GRID_WIDE)));
+                }
+            }
+        }
+        return file.array();
+    }
+
+    /** Returns a field whose extinction is the density, in the box of −1 to 1. */
+    private static ExtinctionField heap() {
+        var noise = new Cloud.Density.Noise(11, 0.55, 1, 0.4, CloudProfile.CUMULUS, null, 0);
+        var extent = new Cloud.Extent.Volume(Vec3.ZERO, new Vec3(2, 2, 2));
+        return CloudFields.of(new Cloud("heap", extent, CloudTechnique.AUTO, noise, 1, 1, 0), null, 0);
+    }
+
+    private static double at(int voxel, int voxels) {
+        return (2 * voxel + 1.0) / voxels - 1;
     }
 }

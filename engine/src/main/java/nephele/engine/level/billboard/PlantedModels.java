@@ -1,4 +1,4 @@
-package nephele.engine.level.planted;
+package nephele.engine.level.billboard;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,7 +11,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.level.billboard.FieldPlanting;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;

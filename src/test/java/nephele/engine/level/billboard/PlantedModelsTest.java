@@ -1,4 +1,4 @@
-package nephele.engine.level.planted;
+package nephele.engine.level.billboard;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
