@@ -5,10 +5,13 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.NightSky;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -36,6 +39,9 @@ public final class TracedLevel {
     private final Portals portals;
     private final EmissiveFaces emissive;
     private final Optional<SunDisc> disc;
+    /** Its horizon is that of y = 0. */
+    private final Optional<NightSky> night;
+
     private final ExitLight exits;
 
     private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
@@ -54,6 +60,7 @@ public final class TracedLevel {
                 FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
         emissive = new EmissiveFaces(statics.solids(), textures);
         disc = SunDisc.of(level.environment());
+        night = night(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
@@ -65,6 +72,12 @@ public final class TracedLevel {
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
+    }
+
+    private static Optional<NightSky> night(Environment environment) {
+        return environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
+                ? NightSky.of(sky, environment.sun(), 0)
+                : Optional.empty();
     }
 
     /**
@@ -254,14 +267,14 @@ public final class TracedLevel {
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
-    /** Returns the radiance of the sun's disc as it arrives along a path that ends at nothing. */
-    Vector3d fromSunDisc(EyePath path) {
-        if (disc.isEmpty()) {
-            return new Vector3d();
-        }
+    /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
+    Vector3d fromDiscs(EyePath path) {
         EyePath.Segment last = path.lastSegment();
-        return disc.get()
-                .towards(last.direction(), last.origin().y())
+        Vec3 sunDisc = disc.map(
+                        sun -> sun.towards(last.direction(), last.origin().y()))
+                .orElse(Vec3.ZERO);
+        Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
+        return sunDisc.plus(moonDisc)
                 .toVector()
                 .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
                 .mul(path.tint());

@@ -43,7 +43,7 @@ final class Tracer {
 
     private Vector3d fromSky(PixelSample sample) {
         Vector3d sky = level.fromSky(path, sample.random());
-        return bounced == null ? sky : sky.add(level.fromSunDisc(path));
+        return bounced == null ? sky : sky.add(level.fromDiscs(path));
     }
 
     private Vector3d fromSurface(PixelSample sample) {
