@@ -29,6 +29,7 @@ final class OptionValues {
         commandLine
                 .registerConverter(Path.class, OptionValues::path)
                 .registerConverter(Output.class, word(EnumSet.allOf(Output.class)))
+                .registerConverter(ReferenceOptions.Switch.class, word(EnumSet.allOf(ReferenceOptions.Switch.class)))
                 .registerConverter(CloudTechnique.class, word(EnumSet.allOf(CloudTechnique.class)))
                 .registerConverter(Vec3.class, OptionValues::point)
                 .registerConverter(PlayerStart.class, OptionValues::start)

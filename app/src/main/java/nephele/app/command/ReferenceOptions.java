@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.reference.LightTransport;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedExposure;
 import nephele.engine.reference.TracedLevel;
@@ -47,6 +48,20 @@ public final class ReferenceOptions {
     private Long seed;
 
     @Option(
+            names = "--bounces",
+            paramLabel = "N",
+            description = "The most surfaces that light of --reference meets before the one that is seen; 0 for direct"
+                    + " light (default: as many as there are).")
+    @OptionRange.Whole(least = 0, most = Integer.MAX_VALUE)
+    private Integer bounces;
+
+    @Option(
+            names = "--portal-light",
+            paramLabel = "on|off",
+            description = "Whether light of --reference passes open portals, as eyes do (default: on).")
+    private Switch portalLight;
+
+    @Option(
             names = "--error",
             paramLabel = "E.pfm",
             description = "Also write the standard error of each value of --reference, from 32 batches of samples.")
@@ -67,8 +82,9 @@ public final class ReferenceOptions {
     private List<Path> parts;
 
     void check(Path out) {
-        if (!reference && (samples != null || seed != null || shard != null)) {
-            throw CommandFailure.usage("--spp, --seed and --shard belong to --reference");
+        if (!reference
+                && (samples != null || seed != null || shard != null || bounces != null || portalLight != null)) {
+            throw CommandFailure.usage("--spp, --seed, --shard, --bounces and --portal-light belong to --reference");
         }
         if (isMerge() && reference) {
             throw CommandFailure.usage("--merge puts together what is traced; leave --reference out");
@@ -169,7 +185,8 @@ public final class ReferenceOptions {
                 picture.size().height(),
                 picture.choice().showsIds() ? 1 : samples(),
                 seed == null ? 1 : seed,
-                Runtime.getRuntime().availableProcessors());
+                Runtime.getRuntime().availableProcessors(),
+                transport(picture));
         var shown = at(picture.choice().drawn(viewed.opened), viewed.seconds);
         var level = viewed.opened.reporting(() -> TracedLevel.of(shown, decoding, viewed.seconds));
         var eye = TracedPictures.pinhole(viewed.view);
@@ -187,6 +204,20 @@ public final class ReferenceOptions {
             writeError(traced);
             WrittenFile.write(part.file(), file -> part.forget());
         }
+    }
+
+    private LightTransport transport(PictureOptions picture) {
+        if (picture.choice().showsIds()) {
+            return LightTransport.DIRECT;
+        }
+        int most = bounces == null ? LightTransport.FULL.bounces() : bounces;
+        return new LightTransport(most, portalLight != Switch.OFF);
+    }
+
+    /** Values of an option, in lower case on the command line. */
+    enum Switch {
+        ON,
+        OFF
     }
 
     private Path partFile(Path out) {

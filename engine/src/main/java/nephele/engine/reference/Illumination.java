@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -69,6 +70,16 @@ final class Illumination {
      * @param sample chooses the rays towards the sky
      */
     Vector3d radiance(SurfacePoint surface, Shafts.ShadowRays shadows, PixelSample sample) {
+        Vector3d sum = direct(surface, shadows, sample).add(constantAmbient(surface));
+        if (ambient == null && !cover.isDark()) {
+            addSky(surface, lifted(surface), shadows, sample, sum);
+        }
+        Vec3 own = surface.emission();
+        return sum.min(new Vector3d(LuminanceHistogram.LARGEST_HALF)).add(own.x(), own.y(), own.z());
+    }
+
+    /** Returns the radiance towards the eye by sun and lamps. */
+    Vector3d direct(SurfacePoint surface, Shafts.ShadowRays shadows, PixelSample sample) {
         Vector3d sum = new Vector3d();
         Vector3d origin = lifted(surface);
         if (sun != null) {
@@ -77,18 +88,47 @@ final class Illumination {
         for (int light = 0; light < lights.size(); light++) {
             addLight(light, surface, origin, shadows, sample, sum);
         }
-        if (ambient != null) {
-            Vector3d all = ambient.toVector();
-            sum.add(surface.reflected(all, all));
-        } else if (!cover.isDark()) {
-            addSky(surface, origin, shadows, sample, sum);
-        }
-        Vec3 own = surface.emission();
-        return sum.min(new Vector3d(LuminanceHistogram.LARGEST_HALF)).add(own.x(), own.y(), own.z());
+        return sum;
     }
 
-    /** Far from the origin the spacing of doubles exceeds the usual lift. */
-    private static Vector3d lifted(SurfacePoint surface) {
+    /** Returns the radiance towards the eye by the level's constant ambient light; black if its sky lights it instead. */
+    Vector3d constantAmbient(SurfacePoint surface) {
+        if (ambient == null) {
+            return new Vector3d();
+        }
+        Vector3d all = ambient.toVector();
+        return surface.reflected(all, all);
+    }
+
+    boolean sunCastsShadow() {
+        return sun != null && sun.castsShadow();
+    }
+
+    /** Returns the unit direction; meaningless without a sun. */
+    Vector3dc towardsSun() {
+        return towardsSun;
+    }
+
+    Vector3d sunIrradiance() {
+        return sun.irradiance().toVector();
+    }
+
+    List<PunctualLight> lamps() {
+        return lights;
+    }
+
+    /** Returns true if the sky is a light: the level has no constant ambient light in its place. */
+    boolean isSkyLight() {
+        return ambient == null;
+    }
+
+    /** Returns a random number whose mean is the fraction of light that passes the clouds before a place. */
+    double passedByClouds(Vector3dc place, Vector3dc towardsLight, double metres, SplittableRandom random) {
+        return cover.fraction(place, towardsLight, metres, random);
+    }
+
+    /** Returns the origin of shadow rays. Far from the world's origin the spacing of doubles exceeds the usual lift. */
+    static Vector3d lifted(SurfacePoint surface) {
         Vector3d p = surface.place().toVector();
         double largest = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());

@@ -198,6 +198,9 @@ final class Shafts {
 
     /** Tests shadow rays. Use one per thread. */
     static final class ShadowRays {
+        /** The part of the way to a place that is tested: the surface that the place is on does not hide it. */
+        private static final double BEFORE_END = 1 - 1e-9;
+
         private final TracedItems surfaces;
         private final Shafts shafts;
         private final Ray ray = Ray.reusable();
@@ -222,6 +225,11 @@ final class Shafts {
             return cube == null
                     ? surfaces.blocker(ray, limit, except) >= 0
                     : shafts.shaft(cube, light).isBlocked(ray, limit, except);
+        }
+
+        /** Returns true if anything is between a surface and a place at a distance in a unit direction. */
+        boolean isBlockedWithin(Vector3dc origin, Vector3dc direction, double metres, int lit) {
+            return isBlocked(shafts.patch(direction), origin, direction, metres * BEFORE_END, lit);
         }
 
         /** Returns true if the sky is occluded in a direction. */

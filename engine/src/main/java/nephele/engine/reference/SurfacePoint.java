@@ -1,6 +1,7 @@
 package nephele.engine.reference;
 
 import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.Reflectance;
 import nephele.engine.level.billboard.PlantedBillboards;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -27,10 +28,27 @@ record SurfacePoint(
         Vector3dc smoothNormal,
         Vector3dc faceNormal,
         Vector3dc albedo,
-        Brdf gloss,
+        Reflectance gloss,
         Vector3dc toEye,
         Vec3 emission,
         boolean leaves) {
+    /** Returns this point as light's transport demands it: it reflects as much backwards along any path as forwards. */
+    SurfacePoint reciprocal() {
+        return gloss instanceof Brdf drawn
+                ? new SurfacePoint(
+                        item,
+                        place,
+                        normal,
+                        smoothNormal,
+                        faceNormal,
+                        albedo,
+                        ReciprocalBrdf.of(drawn),
+                        toEye,
+                        emission,
+                        leaves)
+                : this;
+    }
+
     /** Returns true if the surface faces the sun, or lets its light through. */
     boolean isTowards(Vector3dc sun) {
         return leaves || faceNormal.dot(sun) > 0;

@@ -1,13 +1,17 @@
 package nephele.engine.reference;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.level.appearance.NightSky;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -16,6 +20,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.reference.sky.LevelClouds;
 import nephele.engine.reference.sky.SkyCover;
+import nephele.engine.reference.sky.SunDisc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -32,6 +37,11 @@ public final class TracedLevel {
     private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
+    private final EmissiveFaces emissive;
+    private final Optional<SunDisc> disc;
+    /** Its horizon is that of y = 0. */
+    private final Optional<NightSky> night;
+
     private final ExitLight exits;
 
     private TracedLevel(PlacedLevel placed, Portals portals, ColourDecoding decoding, double seconds) {
@@ -48,6 +58,9 @@ public final class TracedLevel {
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
                 FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
+        emissive = new EmissiveFaces(statics.solids(), textures);
+        disc = SunDisc.of(level.environment());
+        night = night(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
@@ -59,6 +72,12 @@ public final class TracedLevel {
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
+    }
+
+    private static Optional<NightSky> night(Environment environment) {
+        return environment.sky() instanceof Sky.Atmosphere sky && environment.sun() != null
+                ? NightSky.of(sky, environment.sun(), 0)
+                : Optional.empty();
     }
 
     /**
@@ -82,8 +101,31 @@ public final class TracedLevel {
         return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
-    Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), new Shafts.ShadowRays(rays, shafts));
+    Tracer tracer(Pinhole eye, LightTransport transport) {
+        var shadows = new Shafts.ShadowRays(rays, shafts);
+        PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
+        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
+    }
+
+    /** Returns a finder of paths for one thread. */
+    EyePath path(boolean passesPortals) {
+        return new EyePath(rays, passesPortals ? portals : Portals.NONE, looks.solids());
+    }
+
+    /** Returns the portals that light passes. */
+    Portals portals() {
+        return portals;
+    }
+
+    EmissiveFaces emissiveFaces() {
+        return emissive;
+    }
+
+    /** Returns the density per square metre with which the emissive face at a path's end is chosen as a source. */
+    double emissiveDensity(EyePath path) {
+        return rays.isSolid(path.item())
+                ? emissive.density(path.item(), ((TracedSolid) rays.shape(path.item())).face(path.ray()))
+                : 0;
     }
 
     public boolean hasClouds() {
@@ -202,5 +244,63 @@ public final class TracedLevel {
                                 segment.direction().y(),
                                 metres)
                 : radiance;
+    }
+
+    /** Returns radiance of the place at a path's end as it arrives at its beginning, through air, fog and mirrors. */
+    Vector3d arriving(Vector3d radiance, Vec3 place, EyePath path, SplittableRandom random) {
+        Vector3d seen = throughAir(radiance, place, path, random);
+        return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
+    }
+
+    /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
+    Vector3d transmittance(Vec3 place, EyePath path) {
+        EyePath.Segment last = path.lastSegment();
+        return airTransmittance(place, last.direction(), path.metres())
+                .mul(fogTransmittance(last, path.metres()))
+                .mul(path.tint());
+    }
+
+    /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
+    Vector3d fromSky(EyePath path, SplittableRandom random) {
+        Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
+        Vector3d radiance = throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
+        return mirrored(radiance, path.tint(), path.reflected());
+    }
+
+    /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
+    Vector3d fromDiscs(EyePath path) {
+        EyePath.Segment last = path.lastSegment();
+        Vec3 sunDisc = disc.map(
+                        sun -> sun.towards(last.direction(), last.origin().y()))
+                .orElse(Vec3.ZERO);
+        Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
+        return sunDisc.plus(moonDisc)
+                .toVector()
+                .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
+                .mul(path.tint());
+    }
+
+    /** Returns the radiance of a cloud's collision as it arrives along a path. */
+    Vector3d fromCloud(CloudSight.Met cloud, CloudSight clouds, EyePath path, SplittableRandom random) {
+        Vec3 place = cloud.ray().at(cloud.collision().metres());
+        Vector3d scattered = clouds.radiance(cloud, random);
+        Vector3d seen = throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), random);
+        Vector3d radiance = throughFog(seen, cloud.segment(), cloud.metres());
+        List<EyePath.Reflected> before = path.reflected().stream()
+                .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
+                .toList();
+        return mirrored(radiance, cloud.segment().tint(), before);
+    }
+
+    /**
+     * Applies the mirrors to radiance that has passed all the fog: the fog in front of a mirror is not tinted by it.
+     */
+    private Vector3d mirrored(Vector3d radiance, Vector3dc tint, List<EyePath.Reflected> mirrors) {
+        radiance.mul(tint);
+        for (EyePath.Reflected mirror : mirrors) {
+            radiance.add(
+                    throughFog(new Vector3d(), mirror.before(), mirror.metres()).mul(mirror.lost()));
+        }
+        return radiance;
     }
 }

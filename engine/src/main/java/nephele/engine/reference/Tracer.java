@@ -1,6 +1,5 @@
 package nephele.engine.reference;
 
-import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.SampleSequence.PixelSample;
 import org.joml.Vector3d;
@@ -15,12 +14,15 @@ final class Tracer {
     private final Shafts.ShadowRays shadows;
     /** {@code null} without clouds. */
     private final CloudSight clouds;
+    /** {@code null} for direct light alone. */
+    private final PathIntegrator bounced;
 
-    Tracer(TracedLevel level, Pinhole eye, EyePath path, Shafts.ShadowRays shadows) {
+    Tracer(TracedLevel level, Pinhole eye, EyePath path, Shafts.ShadowRays shadows, PathIntegrator bounced) {
         this.level = level;
         this.eye = eye;
         this.path = path;
         this.shadows = shadows;
+        this.bounced = bounced;
         clouds = level.cloudSight().orElse(null);
         from = eye.eye().toVector();
     }
@@ -30,7 +32,7 @@ final class Tracer {
         boolean isMet = path.trace(from, direction, eye.nearMetres(), eye.farMetres());
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, sample.random());
         if (cloud != null) {
-            Vector3d radiance = fromCloud(cloud, sample);
+            Vector3d radiance = level.fromCloud(cloud, clouds, path, sample.random());
             level.exits().addTo(radiance, path, cloud.metres(), level);
             return radiance;
         }
@@ -39,43 +41,17 @@ final class Tracer {
         return radiance;
     }
 
+    private Vector3d fromSky(PixelSample sample) {
+        Vector3d sky = level.fromSky(path, sample.random());
+        return bounced == null ? sky : sky.add(level.fromDiscs(path));
+    }
+
     private Vector3d fromSurface(PixelSample sample) {
         Vec3 place = path.ray().at(path.end());
         Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
         SurfacePoint surface = level.surface(path, place, toEye);
-        Vector3d throughAir =
-                level.throughAir(level.light().radiance(surface, shadows, sample), place, path, sample.random());
-        Vector3d radiance = level.throughFog(throughAir, path.lastSegment(), path.metres());
-        return mirrored(radiance, path.tint(), path.reflected());
-    }
-
-    private Vector3d fromSky(PixelSample sample) {
-        Vector3d throughAir = level.sky(from.y(), path, sample.random());
-        Vector3d radiance = level.throughFog(throughAir, path.lastSegment(), Double.POSITIVE_INFINITY);
-        return mirrored(radiance, path.tint(), path.reflected());
-    }
-
-    private Vector3d fromCloud(CloudSight.Met cloud, PixelSample sample) {
-        Vec3 place = cloud.ray().at(cloud.collision().metres());
-        Vector3d scattered = clouds.radiance(cloud, sample.random());
-        Vector3d throughAir =
-                level.throughAir(scattered, place, cloud.segment().direction(), cloud.metres(), sample.random());
-        Vector3d radiance = level.throughFog(throughAir, cloud.segment(), cloud.metres());
-        List<EyePath.Reflected> mirrors = path.reflected().stream()
-                .filter(mirror -> mirror.metres() <= cloud.segment().metresBefore())
-                .toList();
-        return mirrored(radiance, cloud.segment().tint(), mirrors);
-    }
-
-    /**
-     * Applies the mirrors to radiance that has passed all the fog: the fog in front of a mirror is not tinted by it.
-     */
-    private Vector3d mirrored(Vector3d radiance, Vector3dc tint, List<EyePath.Reflected> mirrors) {
-        radiance.mul(tint);
-        for (EyePath.Reflected mirror : mirrors) {
-            radiance.add(level.throughFog(new Vector3d(), mirror.before(), mirror.metres())
-                    .mul(mirror.lost()));
-        }
-        return radiance;
+        Vector3d radiance =
+                bounced == null ? level.light().radiance(surface, shadows, sample) : bounced.radiance(surface, sample);
+        return level.arriving(radiance, place, path, sample.random());
     }
 }

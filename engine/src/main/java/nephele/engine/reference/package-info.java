@@ -3,8 +3,9 @@
  * precision, on the CPU. Nothing is baked, rasterised or clipped: solids are intersections of half-spaces, shadows are
  * rays, the visible part of the sky is integrated, portals transform the ray itself.
  *
- * <p>The light model is the engine's: direct light of sun and punctual lights, the sky's irradiance times the visible
- * part of the hemisphere over the face, emission that lights nothing else, no bounces. Eye rays pass through portals,
- * light does not.
+ * <p>Light is followed as far as a {@link nephele.engine.reference.LightTransport} says. {@code DIRECT} is the engine's
+ * own model: direct light of sun and punctual lights, the sky's irradiance times the visible part of the hemisphere over
+ * the face, emission that lights nothing else; eye rays pass through portals, light does not. {@code FULL} integrates
+ * paths over all surfaces and through portals.
  */
 package nephele.engine.reference;

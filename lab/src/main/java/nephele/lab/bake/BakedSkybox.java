@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import nephele.engine.atmosphere.SunOverLimb;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
@@ -16,6 +15,7 @@ import nephele.engine.level.appearance.NightSky;
 import nephele.engine.level.appearance.SkyboxSquare;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.sky.SunDisc;
 import nephele.engine.render.frame.ToneMapping;
 
 /** The whole sky around an eye as six pictures, in linear radiance until they are encoded in 8 bits, without dither. */
@@ -72,10 +72,11 @@ public final class BakedSkybox {
     /**
      * Adds the sun's disc.
      *
+     * @param eyeHeight y of the eye
      * @param fraction of its light that passes the clouds
      */
-    void add(SunDisc sun, double fraction) {
-        discPixels = add(sun::towards, sun.middle(), SunOverLimb.RADIUS_RADIANS, fraction);
+    void add(SunDisc sun, double eyeHeight, double fraction) {
+        discPixels = add(direction -> sun.towards(direction, eyeHeight), sun.middle(), sun.radiusRadians(), fraction);
     }
 
     /**

@@ -20,6 +20,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
+import nephele.engine.reference.sky.SunDisc;
 import nephele.engine.reference.tile.PartHeader;
 import nephele.engine.reference.tile.Shard;
 import nephele.engine.reference.tile.TiledPicture;
@@ -73,7 +74,7 @@ public final class SkyboxTrace {
         var baked = new BakedSkybox(
                 settings.width(), pictures.stream().map(TiledPicture::rgb).toList(), fraction);
         if (lit.sky() instanceof Sky.Atmosphere atmosphere) {
-            SunDisc.of(atmosphere, lit.sun(), eye).ifPresent(sun -> baked.add(sun, fraction));
+            SunDisc.of(lit).ifPresent(sun -> baked.add(sun, eye.y(), fraction));
             NightSky.of(atmosphere, lit.sun(), eye.y())
                     .ifPresent(night ->
                             baked.add(night, towards -> sky.shareThroughClouds(eye, towards, STAR_ESTIMATES, SEED)));

@@ -47,7 +47,8 @@ public record TracedPictures(Path folder, String code) {
     public LinearPicture picture(String level, Pinhole eye, TraceSettings settings, Supplier<float[]> trace) {
         String size = settings.width() + "x" + settings.height();
         long key = Hash64.of(
-                String.join(" ", code, level, size, settings.samples() + "/" + settings.seed(), eye.toString()));
+                String.join(" ", code, level, size, settings.samples() + "/" + settings.seed(), eye.toString())
+                        + settings.light().key());
         Path file = folder.resolve("oracle-" + Long.toHexString(key) + ".pfm");
         try {
             if (!Files.exists(file)) {
@@ -120,7 +121,7 @@ public record TracedPictures(Path folder, String code) {
                 "camera", eye.toString(),
                 "samples", Integer.toString(settings.samples()),
                 "seed", Long.toString(settings.seed()),
-                "colours", kind,
+                "colours", kind + settings.light().key(),
                 "tracer", Integer.toString(ReferencePicture.VERSION));
     }
 

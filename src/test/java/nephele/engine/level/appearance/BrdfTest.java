@@ -103,7 +103,8 @@ class BrdfTest {
             double vDotH = toEye.dot(h);
             double nDotL = 2 * vDotH * cos - mu;
             if (vDotH > 0 && nDotL > 0) {
-                double weight = brdf.visibility(nDotL) * nDotL * 4 * vDotH / cos / n;
+                double weight =
+                        Reflectance.visibility(brdf.alpha2(), brdf.nDotV(), nDotL) * nDotL * 4 * vDotH / cos / n;
                 all += weight;
                 grazing += weight * Math.pow(1 - vDotH, 5);
             }

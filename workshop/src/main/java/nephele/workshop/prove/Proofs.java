@@ -12,10 +12,10 @@ import nephele.workshop.prove.cloud.CloudFlightProof;
 import nephele.workshop.prove.cloud.CloudImpostorsProof;
 import nephele.workshop.prove.cloud.CloudLawsProof;
 import nephele.workshop.prove.cloud.CloudRadianceProof;
-import nephele.workshop.prove.cloud.CloudReferenceProof;
 import nephele.workshop.prove.cloud.CloudSlabsProof;
 import nephele.workshop.prove.cloud.CloudStackProof;
 import nephele.workshop.prove.cloud.CloudVolumeProof;
+import nephele.workshop.prove.cloud.MitsubaProof;
 import nephele.workshop.prove.cloud.SkySweepProof;
 import nephele.workshop.prove.cloud.SkyTableProof;
 import nephele.workshop.prove.editor.EditorCommandsProof;
@@ -95,7 +95,8 @@ public final class Proofs {
             new EditsProof(10, 8, EditedTown::baked),
             new CloudSlabsProof(),
             new CloudLawsProof(),
-            new CloudReferenceProof(),
+            MitsubaProof.clouds(),
+            MitsubaProof.interiors(),
             new CloudVolumeProof(),
             new CloudFlightProof(),
             new CloudStackProof(),

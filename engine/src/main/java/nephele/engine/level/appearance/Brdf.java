@@ -9,6 +9,7 @@ import org.joml.Vector3dc;
  * energy that single scattering loses, and the diffuse part receives what the specular part leaves, so that a white
  * material in a white furnace is exactly white.
  *
+ * @param underLobe reflectance that the Lambert part would have without the lobe
  * @param diffuse reflectance of the Lambert part
  * @param f0 reflectance at normal incidence
  * @param alpha2 square of α = roughness²
@@ -17,12 +18,14 @@ import org.joml.Vector3dc;
  * @param ambientSpecular reflectance for light that is equal from all directions
  */
 public record Brdf(
+        Vector3dc underLobe,
         Vector3dc diffuse,
         Vector3dc f0,
         double alpha2,
         double nDotV,
         Vector3dc specularGain,
-        Vector3dc ambientSpecular) {
+        Vector3dc ambientSpecular)
+        implements Reflectance {
     /** Least roughness; with a smaller one the lobe's peak would overflow for light sources without extent. */
     public static final double MIN_ROUGHNESS = 0.05;
 
@@ -46,20 +49,17 @@ public record Brdf(
                 .mul(gain);
         Vector3d diffuse =
                 new Vector3d(1).sub(ambient).mul(baseColour).mul(1 - m).max(new Vector3d());
-        return new Brdf(diffuse, f0, r * r * r * r, mu, gain, ambient);
+        return new Brdf(new Vector3d(baseColour).mul(1 - m), diffuse, f0, r * r * r * r, mu, gain, ambient);
     }
 
-    /**
-     * Returns the reflected radiance per irradiance on a plane perpendicular to {@code toLight}; all vectors have unit
-     * length.
-     */
+    @Override
     public Vector3d reflected(Vector3dc normal, Vector3dc toEye, Vector3dc toLight) {
         double nDotL = Math.max(normal.dot(toLight), 0);
         Vector3d half = new Vector3d(toLight).add(toEye);
         half.mul(1 / Math.sqrt(Math.max(half.lengthSquared(), 1e-8)));
         double nDotH = clamp(normal.dot(half), 0, 1);
         double vDotH = clamp(toEye.dot(half), 0, 1);
-        double lobe = distribution(nDotH) * visibility(nDotL);
+        double lobe = Reflectance.distribution(alpha2, nDotH) * Reflectance.visibility(alpha2, nDotV, nDotL);
         double away = 1 - vDotH;
         double square = away * away;
         Vector3d fresnel = new Vector3d(1).sub(f0).mul(square * square * away).add(f0);
@@ -67,19 +67,6 @@ public record Brdf(
                 .mul(lobe)
                 .add(new Vector3d(diffuse).mul(1 / Math.PI))
                 .mul(nDotL);
-    }
-
-    /** Returns the GGX distribution (Walter et al. 2007, equation 33). */
-    double distribution(double nDotH) {
-        double d = Math.max(1 - nDotH * nDotH * (1 - alpha2), 1e-6);
-        return alpha2 / (Math.PI * d * d);
-    }
-
-    /** Returns Smith's G divided by 4 · n·l · n·v. */
-    double visibility(double nDotL) {
-        double towardsEye = nDotL * Math.sqrt(nDotV * nDotV * (1 - alpha2) + alpha2);
-        double towardsLight = nDotV * Math.sqrt(nDotL * nDotL * (1 - alpha2) + alpha2);
-        return 0.5 / Math.max(towardsEye + towardsLight, 1e-6);
     }
 
     /**

@@ -18,6 +18,7 @@ import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.LightTransport;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
@@ -25,7 +26,7 @@ import nephele.host.named.Viewpoints;
 import nephele.lab.bake.TracedPictures;
 
 /**
- * A level of one cloud with its exact picture: three by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path
+ * A level of one cloud, or of a room, with its exact picture. Of the clouds three by Mitsuba 3 (integrator volpath, 4096 samples a pixel, no limit on path
  * length), three by {@code render --reference --error}. It is read and traced as that command does it.
  *
  * @param sky its radiance, which is all that a pixel without cloud has
@@ -42,6 +43,9 @@ record ReferenceCase(
         LinearPicture error) {
     /** Cases whose picture Mitsuba traced, from scenes in its own format. */
     static final List<String> OF_MITSUBA = List.of("sphere", "puff", "cumulus");
+
+    /** Rooms without a cloud whose picture Mitsuba traced (integrator path, 4096 samples a pixel), written as levels. */
+    static final List<String> INTERIORS = List.of("cornell", "sunroom", "two-rooms", "furnace");
 
     /** Cases whose picture our own tracer made. */
     static final List<String> OWN = List.of("low-sun", "inside", "deck");
@@ -61,6 +65,11 @@ record ReferenceCase(
                 ((Sky.Constant) level.environment().sky()).radiance(),
                 radiance,
                 picture(name + "-se.pfm.gz"));
+    }
+
+    /** Returns how far light is followed in its picture: surfaces around clouds reflect none. */
+    LightTransport transport() {
+        return INTERIORS.contains(name) ? LightTransport.FULL : LightTransport.DIRECT;
     }
 
     Pinhole eye() {

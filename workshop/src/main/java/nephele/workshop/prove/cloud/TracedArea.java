@@ -64,7 +64,8 @@ final class TracedArea {
                 scene.radiance().height(),
                 samples,
                 seed,
-                Runtime.getRuntime().availableProcessors());
+                Runtime.getRuntime().availableProcessors(),
+                scene.transport());
     }
 
     private int pixels() {
@@ -139,8 +140,8 @@ final class TracedArea {
         double sum = 0;
         for (int pixel = 0; pixel < pixels(); pixel++) {
             if (showsCloud(pixel)) {
-                double difference = traced[3 * pixel] - reference(pixel, 0);
-                sum += difference * difference / jointVariance(pixel, 0);
+                double sigmas = sigmas(pixel, 0);
+                sum += sigmas * sigmas;
             }
         }
         return Math.sqrt(sum / cloudy());
@@ -149,10 +150,15 @@ final class TracedArea {
     private double sigmas(int pixel) {
         double most = 0;
         for (int channel = 0; channel < 3; channel++) {
-            double difference = Math.abs(traced[3 * pixel + channel] - reference(pixel, channel));
-            most = Math.max(most, difference / Math.sqrt(jointVariance(pixel, channel)));
+            most = Math.max(most, sigmas(pixel, channel));
         }
         return most;
+    }
+
+    /** Returns a difference in its standard error; 0 for equal values, which may have none. */
+    private double sigmas(int pixel, int channel) {
+        double difference = Math.abs(traced[3 * pixel + channel] - reference(pixel, channel));
+        return difference == 0 ? 0 : difference / Math.sqrt(jointVariance(pixel, channel));
     }
 
     private double jointVariance(int pixel, int channel) {

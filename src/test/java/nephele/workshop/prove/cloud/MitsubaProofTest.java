@@ -7,9 +7,9 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Parts of three levels with a cloud look as in Mitsuba's pictures, with 64 samples a pixel. */
-class CloudReferenceProofTest {
-    /** Tiles are numbered from the lower left, ten in a row. */
+/** Parts of three levels with a cloud and of four rooms look as in Mitsuba's pictures, with 64 samples a pixel. */
+class MitsubaProofTest {
+    /** Tiles are numbered from the lower left, ten in a row of a cloud, twelve in one of a room. */
     @ParameterizedTest
     @CsvSource({
         "sphere, 54",
@@ -19,7 +19,12 @@ class CloudReferenceProofTest {
         "puff, 21",
         "puff, 45",
         "cumulus, 34",
-        "cumulus, 33"
+        "cumulus, 33",
+        "cornell, 18",
+        "cornell, 53",
+        "sunroom, 28",
+        "two-rooms, 41",
+        "furnace, 5"
     })
     void aTileIsThatOfTheReference(String name, int tile) {
         ReferenceCase scene = ReferenceCase.named(name);

@@ -1,0 +1,140 @@
+package nephele.engine.reference;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import nephele.engine.asset.TestAssets;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.tile.TiledPicture;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Light that bounces has the mean that laws give it, and passes a pair of portals as it passes a doorway. */
+class PathIntegratorTest {
+    private static final double MOST_SIGMAS = 4;
+
+    /** The mean of a picture's values and its standard error. */
+    private record Mean(double value, double error) {
+        static Mean of(TestLevel level, Pinhole eye, int samples, int seed) {
+            TracedLevel traced = TracedLevel.of(PlacedLevel.of(level.level(), TestAssets.NONE), ColourDecoding.SRGB);
+            var settings = new TraceSettings(6, 6, samples, seed, 2, LightTransport.FULL);
+            TiledPicture picture = ReferencePicture.picture(traced, eye, settings, done -> {});
+            double sum = 0;
+            double variance = 0;
+            float[] errors = picture.standardError();
+            for (int i = 0; i < errors.length; i++) {
+                sum += picture.rgb()[i];
+                // The channels of a pixel have one path: their errors add up as if they were one.
+                variance += 3 * errors[i] * errors[i];
+            }
+            return new Mean(sum / errors.length, Math.sqrt(variance) / errors.length);
+        }
+    }
+
+    private static TestLevel room(TestLevel level, String material, Vec3 centre, Vec3 size) {
+        double wall = 0.2;
+        for (int axis = 0; axis < 3; axis++) {
+            for (int side = -1; side <= 1; side += 2) {
+                level.box(
+                        material, centre.plus(along(axis, side * (of(size, axis) + wall) / 2)), slab(size, axis, wall));
+            }
+        }
+        return level;
+    }
+
+    private static Vec3 slab(Vec3 size, int axis, double wall) {
+        return new Vec3(
+                axis == 0 ? wall : size.x() + 2 * wall,
+                axis == 1 ? wall : size.y() + 2 * wall,
+                axis == 2 ? wall : size.z() + 2 * wall);
+    }
+
+    private static Vec3 along(int axis, double metres) {
+        return new Vec3(axis == 0 ? metres : 0, axis == 1 ? metres : 0, axis == 2 ? metres : 0);
+    }
+
+    private static double of(Vec3 v, int axis) {
+        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.1, 32", "0.5, 32", "0.8, 48", "0.9, 64", "0.99, 64"})
+    void aClosedRoomOfOneAlbedoAndEmissionIsEvenlyBright(double albedo, int samples) {
+        Material wall = new Material("wall", TestLevel.grey(albedo), null, null, null, null, TestLevel.grey(2), 1);
+        TestLevel level = room(new TestLevel().skyLight().material(wall), "wall", Vec3.ZERO, new Vec3(4, 3, 5));
+        Mean mean = Mean.of(level, Traced.eye(new Vec3(1, 0.5, -1), new Vec3(-1, -0.4, 2), 0.7), samples, 1);
+        double wanted = 2 / (1 - albedo);
+        assertEquals(wanted, mean.value, MOST_SIGMAS * mean.error + 1e-6 * wanted, mean.toString());
+        assertTrue(mean.error < 0.05 * wanted, mean.toString());
+    }
+
+    /** Two rooms beside each other with a doorway, or apart with a pair of portals in its place. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4})
+    void aPairOfPortalsLightsAsADoorwayDoes(int seed) {
+        Random random = new Random(seed);
+        double apart = 40 + 10 * random.nextDouble();
+        double wide = 1 + random.nextDouble();
+        double high = 1 + 1.5 * random.nextDouble();
+        Vec3 lamp = new Vec3(2.5 * random.nextDouble() - 1.2, 1.2 * random.nextDouble(), -1 - 2 * random.nextDouble());
+        Vec3 sun = new Vec3(random.nextDouble() - 0.5, 0.5, -0.5 - random.nextDouble());
+        Pinhole eye = Traced.eye(new Vec3(1.2, 0.6, 3.2), new Vec3(-0.6, -1.2, 0.4), 0.7);
+        TestLevel doorway = partition(rooms(0, lamp, sun), wide, high);
+        TestLevel pair = rooms(apart, lamp, sun)
+                .box("wall", new Vec3(0, 0, -0.5), new Vec3(4.4, 3.4, 1))
+                .box("wall", new Vec3(apart, 0, 0.5), new Vec3(4.4, 3.4, 1))
+                .portal("a", "b", Vec3.ZERO, new Vec3(0, 0, 1), wide, high)
+                .portal("b", "a", new Vec3(apart, 0, 0), new Vec3(0, 0, -1), wide, high);
+        Mean open = Mean.of(doorway, eye, 640, seed);
+        Mean through = Mean.of(pair, eye, 640, seed + 100);
+        double error = Math.hypot(open.error, through.error);
+        assertEquals(open.value, through.value, MOST_SIGMAS * error, open + " and " + through);
+        assertTrue(error < 0.1 * open.value, open + " and " + through);
+    }
+
+    /** A room around z = 2 and another around z = -2, which has a lamp, an emissive box and a gap in its roof. */
+    private static TestLevel rooms(double apart, Vec3 lamp, Vec3 sun) {
+        Material glow = new Material("glow", TestLevel.grey(0.2), null, null, null, null, new Vec3(6, 3, 1), 1);
+        Vec3 offset = new Vec3(apart, 0, 0);
+        TestLevel level = new TestLevel()
+                .skyLight()
+                .sky(new Sky.Constant(new Vec3(0.4, 0.6, 1)))
+                .castingSun(sun, 5)
+                .material("wall", new Vec3(0.8, 0.7, 0.5))
+                .material(glow)
+                .light(new Light.Point("lamp", lamp.plus(offset), TestLevel.grey(4), 100, true));
+        walls(level, Vec3.ZERO, 1);
+        walls(level, offset, -1);
+        return level.box("wall", new Vec3(0, 1.6, 2.1), new Vec3(4.4, 0.2, 4.2))
+                .box("wall", offset.plus(new Vec3(0, 1.6, -0.5)), new Vec3(4.4, 0.2, 1))
+                .box("wall", offset.plus(new Vec3(0, 1.6, -3.35)), new Vec3(4.4, 0.2, 1.7))
+                .box("glow", offset.plus(new Vec3(-1.2, -1.1, -3)), TestLevel.grey(0.6));
+    }
+
+    /** Adds the floor and three walls of a room without a roof that begins at z = 0. */
+    private static void walls(TestLevel level, Vec3 offset, int side) {
+        level.box("wall", offset.plus(new Vec3(0, -1.6, 2.1 * side)), new Vec3(4.4, 0.2, 4.2))
+                .box("wall", offset.plus(new Vec3(0, 0, 4.1 * side)), new Vec3(4.4, 3.4, 0.2))
+                .box("wall", offset.plus(new Vec3(2.1, 0, 2.1 * side)), new Vec3(0.2, 3.4, 4.2))
+                .box("wall", offset.plus(new Vec3(-2.1, 0, 2.1 * side)), new Vec3(0.2, 3.4, 4.2));
+    }
+
+    /** Adds a thin wall with a hole in its middle. */
+    private static TestLevel partition(TestLevel level, double wide, double high) {
+        double thin = 1e-4;
+        double beside = (4.2 - wide) / 2;
+        double over = (3.2 - high) / 2;
+        return level.box("wall", new Vec3((wide + beside) / 2, 0, -thin / 2), new Vec3(beside, 3.2, thin))
+                .box("wall", new Vec3(-(wide + beside) / 2, 0, -thin / 2), new Vec3(beside, 3.2, thin))
+                .box("wall", new Vec3(0, (high + over) / 2, -thin / 2), new Vec3(wide, over, thin))
+                .box("wall", new Vec3(0, -(high + over) / 2, -thin / 2), new Vec3(wide, over, thin));
+    }
+}
