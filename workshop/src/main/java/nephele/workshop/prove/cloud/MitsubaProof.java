@@ -16,10 +16,13 @@ public final class MitsubaProof implements Proof {
 
     private final Claim claim;
     private final List<String> cases;
+    private final String compared;
     private final int samples;
 
-    private MitsubaProof(String name, String sentence, List<String> cases, int samples) {
+    /** @param compared what a picture's compared pixels are */
+    private MitsubaProof(String name, String sentence, List<String> cases, String compared, int samples) {
         this.cases = cases;
+        this.compared = compared;
         this.samples = samples;
         claim = new Claim(name, sentence, "pictures", cases.size(), 1);
     }
@@ -32,6 +35,7 @@ public final class MitsubaProof implements Proof {
                         + " within 4 standard errors and 0.7 %, and 99.75 % of the pixels that see the cloud are within"
                         + " 5.",
                 ReferenceCase.OF_MITSUBA,
+                "pixels that see the cloud",
                 512);
     }
 
@@ -43,6 +47,7 @@ public final class MitsubaProof implements Proof {
                         + " and by all walls, traced with 1,024 samples a pixel, have the mean radiance of Mitsuba's"
                         + " pictures within 4 standard errors and 0.7 %, and 99.75 % of their pixels are within 5.",
                 ReferenceCase.INTERIORS,
+                "pixels that are not black",
                 1024);
     }
 
@@ -62,7 +67,7 @@ public final class MitsubaProof implements Proof {
         return result;
     }
 
-    private static ProofResult judged(String name, TracedArea whole) {
+    private ProofResult judged(String name, TracedArea whole) {
         List<String> failures = new ArrayList<>();
         double bias = 0;
         double sigmas = 0;
@@ -86,7 +91,7 @@ public final class MitsubaProof implements Proof {
                 failures,
                 Figure.greatest(name + ", mean off", 100 * bias, "%"),
                 Figure.greatest(name + ", mean off in its error", sigmas, "standard errors"),
-                Figure.sum(name + ", pixels that see the cloud", whole.cloudy(), ""),
+                Figure.sum(name + ", " + compared, whole.cloudy(), ""),
                 Figure.sum(name + ", pixels that differ", whole.differing(), ""),
                 Figure.greatest(name + ", spread of differences", whole.spread(), "standard errors"));
     }
