@@ -126,7 +126,7 @@ public final class EditorOpenSaveProof implements Proof {
 
         private static Level renamed(Level level) {
             RecordKind kind = RecordKind.of(level);
-            return (Level) kind.with(level, kind.field("name").orElseThrow(), NEW_NAME);
+            return kind.with(level, kind.field("name").orElseThrow(), NEW_NAME);
         }
 
         private static Level moved(Level level, String solid) {
