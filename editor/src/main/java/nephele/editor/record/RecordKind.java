@@ -58,7 +58,7 @@ public final class RecordKind {
         if (type.isRecord()) {
             return type == Vec3.class || type == Exposure.class ? List.of() : List.of(type);
         }
-        if (!type.isSealed()) {
+        if (!type.isSealed() || type.isEnum()) { // an enum whose constants have bodies is sealed, too
             return List.of();
         }
         List<Class<?>> classes = new ArrayList<>(Arrays.asList(type.getPermittedSubclasses()));
