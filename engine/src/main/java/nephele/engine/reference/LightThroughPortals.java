@@ -54,7 +54,7 @@ final class LightThroughPortals {
     /**
      * Follows all words that begin with the current one.
      *
-     * @param from the surface as it is seen from behind the word's portals
+     * @param from the surface as it is visible from behind the word's portals
      * @param strength the inverse of the probability that roulette has followed the word
      * @param hash of the word, as {@link EyePath#pathHash}
      */

@@ -40,11 +40,11 @@ final class PathIntegrator {
     }
 
     /** Returns a random RGB radiance whose mean is what leaves the surface towards the eye. */
-    Vector3d radiance(SurfacePoint seen, PixelSample sample) {
+    Vector3d radiance(SurfacePoint visible, PixelSample sample) {
         SplittableRandom random = sample.random();
         weight.set(1);
-        sum.set(0).add(emission(seen)).add(level.light().constantAmbient(seen));
-        SurfacePoint surface = seen.reciprocal();
+        sum.set(0).add(emission(visible)).add(level.light().constantAmbient(visible));
+        SurfacePoint surface = visible.reciprocal();
         for (int bounce = 0; surface != null; bounce++) {
             addReflected(level.light().direct(surface, shadows, sample));
             boolean isLast = bounce == mostBounces;
@@ -85,9 +85,9 @@ final class PathIntegrator {
             return;
         }
         double density = source.density() * distance * distance / cosine;
-        double share = isLast ? 1 : powerHeuristic(density, new BrdfSampling(surface).density(towards));
+        double ofSource = isLast ? 1 : powerHeuristic(density, new BrdfSampling(surface).density(towards));
         double passed = level.light().passedByClouds(origin, towards, distance, random);
-        addReflected(reflected.mul(source.radiance().toVector()).mul(share * passed / density));
+        addReflected(reflected.mul(source.radiance().toVector()).mul(ofSource * passed / density));
     }
 
     private static double powerHeuristic(double density, double other) {
@@ -154,13 +154,13 @@ final class PathIntegrator {
         weight.mul(level.transmittance(place, path));
         Vector3d emission = emission(surface);
         if (sum(emission) > 0) {
-            addReflected(emission.mul(emissionShare(from, surface, density)));
+            addReflected(emission.mul(emissionWeight(from, surface, density)));
         }
         return surface;
     }
 
-    /** Returns the share of emission that the path itself counts, after the share of {@link #addEmissiveFace}. */
-    private double emissionShare(SurfacePoint from, SurfacePoint surface, double density) {
+    /** Returns the weight of emission that the path itself meets, beside that of {@link #addEmissiveFace}. */
+    private double emissionWeight(SurfacePoint from, SurfacePoint surface, double density) {
         double perSquareMetre = path.pathHash() == 0 ? level.emissiveDensity(path) : 0;
         double cosine = surface.faceNormal().dot(surface.toEye());
         if (perSquareMetre == 0 || cosine <= 0) {

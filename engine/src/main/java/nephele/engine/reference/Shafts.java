@@ -198,7 +198,7 @@ final class Shafts {
 
     /** Tests shadow rays. Use one per thread. */
     static final class ShadowRays {
-        /** The part of the way to a place that is tested: the surface that the place is on does not hide it. */
+        /** The fraction of the distance to a place that is tested: the surface that the place is on does not hide it. */
         private static final double BEFORE_END = 1 - 1e-9;
 
         private final TracedItems surfaces;
