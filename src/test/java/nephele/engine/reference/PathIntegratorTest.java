@@ -24,8 +24,12 @@ class PathIntegratorTest {
     /** The mean of a picture's values and its standard error. */
     private record Mean(double value, double error) {
         static Mean of(TestLevel level, Pinhole eye, int samples, int seed) {
+            return of(level, eye, LightTransport.FULL, samples, seed);
+        }
+
+        static Mean of(TestLevel level, Pinhole eye, LightTransport transport, int samples, int seed) {
             TracedLevel traced = TracedLevel.of(PlacedLevel.of(level.level(), TestAssets.NONE), ColourDecoding.SRGB);
-            var settings = new TraceSettings(6, 6, samples, seed, 2, LightTransport.FULL);
+            var settings = new TraceSettings(6, 6, samples, seed, 2, transport);
             TiledPicture picture = ReferencePicture.picture(traced, eye, settings, done -> {});
             double sum = 0;
             double variance = 0;
@@ -74,6 +78,31 @@ class PathIntegratorTest {
         double wanted = 2 / (1 - albedo);
         assertEquals(wanted, mean.value, MOST_SIGMAS * mean.error + 1e-6 * wanted, mean.toString());
         assertTrue(mean.error < 0.05 * wanted, mean.toString());
+    }
+
+    /** Each path has the same number of bounces whether its source is found by a ray towards it or met by the path. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void theSkyIsReflectedAsOftenAsARoofThatShines(int bounces) {
+        Pinhole eye = Traced.eye(new Vec3(1, 0.8, -1), new Vec3(-1, -1.5, 1), 0.6);
+        Vec3 light = new Vec3(1, 2, 3);
+        Material glow = new Material("glow", Vec3.ZERO, null, null, null, null, light, 1);
+        TestLevel under = tub(new TestLevel().skyLight().sky(new Sky.Constant(light)));
+        TestLevel below = tub(new TestLevel().skyLight().material(glow))
+                .box("glow", new Vec3(0, 1.8, 0), new Vec3(4.4, 0.2, 4.6));
+        var transport = new LightTransport(bounces, true);
+        Mean sky = Mean.of(under, eye, transport, 256, 1);
+        Mean roof = Mean.of(below, eye, transport, 256, 2);
+        double error = Math.hypot(sky.error, roof.error);
+        assertEquals(sky.value, roof.value, MOST_SIGMAS * error, sky + " and " + roof);
+        assertTrue(error < 0.02 * sky.value, sky + " and " + roof);
+    }
+
+    /** A white room without a ceiling. */
+    private static TestLevel tub(TestLevel level) {
+        level.material("wall", TestLevel.grey(0.9));
+        walls(level, new Vec3(0, 0, -2), 1);
+        return level.box("wall", new Vec3(0, 0, -2.1), new Vec3(4.4, 3.4, 0.2));
     }
 
     /** Two rooms beside each other with a doorway, or apart with a pair of portals in its place. */

@@ -38,7 +38,7 @@ public record PaneLayout(
         ONE(1),
         /** Side by side. */
         TWO(2),
-        /** In a grid of two columns and two rows. */
+        /** A grid of two columns and two rows. */
         FOUR(4);
 
         private final int panes;

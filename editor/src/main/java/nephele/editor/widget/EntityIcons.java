@@ -8,7 +8,7 @@ import javax.swing.Icon;
 public final class EntityIcons {
     private static final int SIDE_POINTS = 16;
 
-    /** By section and kind, or by section alone, in the notation of {@link Symbol}. */
+    /** The drawings by section and kind, or by section alone, in the notation of {@link Symbol}. */
     private static final Map<String, String> DRAWINGS = Symbol.table(
             """
             player                   o 12,5.5,3|6.5,21 6.5,14 9,11 15,11 17.5,14 17.5,21 z

@@ -9,7 +9,7 @@ import javax.swing.Icon;
 public final class ToolIcons {
     private static final int SIDE_POINTS = 20;
 
-    /** In the notation of {@link Symbol}. */
+    /** The drawings by name, in the notation of {@link Symbol}. */
     private static final Map<String, String> DRAWINGS = Symbol.table(
             """
             select     *5,3 5,19 9.2,15.4 12,21.5 14.6,20.3 11.9,14.4 17.5,14 z

@@ -28,7 +28,7 @@ public record HeightMap(int columns, int rows, int bits, short[] values) {
     /** The least samples along a side. */
     public static final int LEAST_SAMPLES = 2;
 
-    /** By how much rougher than with exchanged bytes a map of exchanged bytes is at least. */
+    /** The least ratio of a map's roughness to that with exchanged bytes from which its bytes count as exchanged. */
     private static final double ROUGHER = 4;
 
     /** Fewer samples along a side tell nothing. */

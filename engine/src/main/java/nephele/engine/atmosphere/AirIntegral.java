@@ -8,13 +8,13 @@ import nephele.engine.math.GaussLegendre;
  * integral of the polynomial through the nodes. Not for several threads.
  */
 final class AirIntegral {
-    /** For reference values. */
+    /** The quadrature for reference values. */
     static final GaussLegendre FINE = new GaussLegendre(10);
-    /** For rays that are cut into short pieces. */
+    /** The quadrature for rays that are cut into short pieces. */
     static final GaussLegendre SHORT = new GaussLegendre(3);
-    /** For light that is scattered often, where it is to be quick. */
+    /** The quadrature for light that is scattered often, where speed counts. */
     static final GaussLegendre SHORTEST = new GaussLegendre(2);
-    /** For light that is smooth along the ray. */
+    /** The quadrature for light that is smooth along the ray. */
     static final GaussLegendre COARSE = new GaussLegendre(5);
 
     private static final int CHANNELS = Air.CHANNELS;

@@ -35,7 +35,7 @@ final class ScatteringOrders {
 
     /** How exactly fields are computed. */
     enum Accuracy {
-        /** To a thousandth: the field that the program carries. */
+        /** An error of a thousandth: the field that the program carries. */
         FINE(1e-3, 8, AirIntegral.COARSE, AirIntegral.COARSE),
         /** Within 0.3 % of the other in a fourth of its time: fields for which somebody waits. */
         QUICK(0.06, 6, AirIntegral.SHORT, AirIntegral.SHORTEST);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Material;
 import nephele.engine.math.Vec3;
 
 /**
@@ -31,9 +32,9 @@ final class EmissiveFaces {
         for (int item = 0; item < brushes.size(); item++) {
             List<Brush.BrushFace> faces = brushes.get(item).faces();
             for (int face = 0; face < faces.size(); face++) {
-                Vec3 emission =
-                        textures.skin(faces.get(face).material()).material().emission();
-                if (weight(emission) > 0) {
+                Material material = textures.skin(faces.get(face).material()).material();
+                Vec3 emission = material.emission();
+                if (weight(emission) > 0 && !material.mirror()) { // paths reflect at a mirror and never end on it
                     add(item, face, faces.get(face), emission);
                 }
             }

@@ -14,7 +14,7 @@ final class GgxAlbedo {
 
     static final GgxAlbedo ALL = new GgxAlbedo();
 
-    /** By roughness, then by the root of the cosine. */
+    /** The albedo at each node, by roughness, then by the root of the cosine; {@code grazing} likewise. */
     private final double[] all = new double[NODES * NODES];
 
     private final double[] grazing = new double[NODES * NODES];

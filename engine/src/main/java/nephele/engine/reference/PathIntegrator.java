@@ -47,12 +47,12 @@ final class PathIntegrator {
         SurfacePoint surface = visible.reciprocal();
         for (int bounce = 0; surface != null; bounce++) {
             addReflected(level.light().direct(surface, shadows, sample));
-            boolean isLast = bounce == mostBounces;
             if (throughPortals != null) {
                 addReflected(throughPortals.radiance(surface, random));
             }
-            addEmissiveFace(surface, isLast, random);
-            surface = isLast ? null : next(surface, bounce, sample);
+            addEmissiveFace(surface, random);
+            SurfacePoint beyond = next(surface, bounce, sample);
+            surface = bounce == mostBounces ? null : beyond;
         }
         return new Vector3d(sum);
     }
@@ -66,7 +66,7 @@ final class PathIntegrator {
     }
 
     /** Adds the light of a random point of the emissive faces. */
-    private void addEmissiveFace(SurfacePoint surface, boolean isLast, SplittableRandom random) {
+    private void addEmissiveFace(SurfacePoint surface, SplittableRandom random) {
         EmissiveFaces faces = level.emissiveFaces();
         if (faces.isEmpty()) {
             return;
@@ -85,7 +85,7 @@ final class PathIntegrator {
             return;
         }
         double density = source.density() * distance * distance / cosine;
-        double ofSource = isLast ? 1 : powerHeuristic(density, new BrdfSampling(surface).density(towards));
+        double ofSource = powerHeuristic(density, new BrdfSampling(surface).density(towards));
         double passed = level.light().passedByClouds(origin, towards, distance, random);
         addReflected(reflected.mul(source.radiance().toVector()).mul(ofSource * passed / density));
     }

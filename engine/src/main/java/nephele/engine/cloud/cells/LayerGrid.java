@@ -25,7 +25,7 @@ public record LayerGrid(
     static final int SLACK = 6;
     /** How far depths are summed in a box before the next wider one, in its cells. */
     static final int WALK = ACROSS / 2 - REACH - SLACK;
-    /** By so many cells a box moves. */
+    /** The number of cells by which a box moves at once. */
     private static final int BLOCK = 8;
 
     /** The middle of a box, in blocks of its cells. */

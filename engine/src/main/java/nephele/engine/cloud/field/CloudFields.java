@@ -32,7 +32,7 @@ public final class CloudFields {
     private final VoxelGrid voxels;
     /** True if the voxels are the vertical optical depths of columns. */
     private final boolean areDepths;
-    /** Of noise; {@code null} for another density. */
+    /** The tables of the cloud's noise; {@code null} for another density. */
     private final CloudTables tables;
 
     private CloudFields(Cloud cloud, VoxelGrid voxels, boolean areDepths, CloudTables tables) {

@@ -44,7 +44,7 @@ public final class ProfiledNoise implements NoiseDensity {
     private final double foot;
     /** How far outside of a body the cloud reaches, in the units of {@link #bodyDepth}. */
     private final double spread;
-    /** By how much the depth of a body must exceed 0 for it to reach a height. */
+    /** The depth that a body must exceed to reach a height. */
     private final double[] rise;
     /** How deep the shape noise dents the surface. */
     private final double[] billows;

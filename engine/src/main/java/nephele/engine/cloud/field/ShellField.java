@@ -13,7 +13,7 @@ import nephele.engine.math.Ray;
  * chunk's sagitta; the flat field must be made for that slack.
  */
 public final class ShellField implements ExtinctionField {
-    /** As in docs/atmosphere.md. */
+    /** The planet's radius, as in docs/atmosphere.md. */
     static final double PLANET_METRES = 6_360_000;
 
     /** The greatest sagitta. */

@@ -18,7 +18,7 @@ final class SlabCorrection {
     /** Ratio of successive thicknesses, the first of which is 1. */
     private static final double RATIO = Math.sqrt(2);
 
-    /** From a slab in which light is scattered once to the first of the table. */
+    /** The number of doublings from a slab in which light is scattered once to the first of the table. */
     private static final int FIRST_DOUBLINGS = 22;
 
     private static final double GREATEST = 4;

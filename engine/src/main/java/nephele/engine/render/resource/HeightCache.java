@@ -17,7 +17,7 @@ public final class HeightCache implements GlObject {
     private static final double MOST_APART = 2.5;
 
     private final DoubleFunction<SunAndMoonTables> make;
-    /** In the order of their last use. */
+    /** The tables in the order of their last use. */
     private final Map<Double, SunAndMoonTables> tables = new LinkedHashMap<>(16, 0.75f, true);
 
     /** @param make called with a height, metres */

@@ -29,7 +29,7 @@ public final class TerrainTiles implements GlObject {
     /** Ranges are made for scales that differ by this factor, the next greater one. */
     private static final double SCALE_STEP = 1.01;
 
-    /** As many sizes of pictures of views as are kept. */
+    /** The number of sizes of views' pictures that are kept. */
     private static final int MOST_RANGES = 4;
 
     /** The slopes of tiles that are drawn by one program. */

@@ -37,7 +37,7 @@ public final class CullingSphereSubject implements Experiment {
 
     static final int VIEWS = 24;
     private static final double SECONDS_BETWEEN = 0.7;
-    /** Of a triangle that six planes have cut. */
+    /** The greatest number of corners of a triangle that six planes have cut. */
     private static final int MOST_CORNERS = 9;
 
     public static final Trade TRADE = new Trade(

@@ -11,7 +11,7 @@ import java.util.Map;
  * compiles nothing again.
  */
 public final class LinkedPrograms {
-    /** By the vertex and the fragment shader. */
+    /** The programs by vertex and fragment shader. */
     private final Map<List<ShaderSource>, Integer> linked = new HashMap<>();
 
     public static String name(ShaderSource vertex, ShaderSource fragment) {

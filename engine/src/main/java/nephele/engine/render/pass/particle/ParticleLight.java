@@ -29,7 +29,7 @@ final class ParticleLight {
     /** Radiance for the irradiance of lit clouds, the bolt's own light included. */
     private static final double FLASH_FRACTION = 2 / Math.PI;
 
-    /** By how much the lit side of a billow is brighter than its middle under sunlight alone. */
+    /** The ratio of the lit side of a billow to its middle under sunlight alone, less 1. */
     private static final double RELIEF = 0.7;
 
     private final Level level;

@@ -62,7 +62,7 @@ public final class ParticlePass implements Pass {
     private final SquareSheet squares;
     private final BackToFront order = new BackToFront();
     private final boolean[] isVisible;
-    /** From the eye to the centres of the emitters. */
+    /** The vectors from the eye to the centres of the emitters, three values each. */
     private final float[] centres;
 
     private ParticlePass(LoadContext context) {
