@@ -43,6 +43,9 @@ public final class LightBake {
     /** Rays of each group between two looks at the error. */
     private static final int ROUND = 16;
 
+    /** The most surfaces without baked light on a ray; what is beyond them is black. */
+    private static final int MOST_OTHERS = 8;
+
     /** The share of the level's mean below which a receiver's error is absolute. */
     private static final double DIM = 0.25;
 
@@ -96,9 +99,9 @@ public final class LightBake {
     }
 
     /**
-     * The standard errors that a bake has reached, as shares of the level's mean.
+     * The standard errors of the receivers that any light reaches, as shares of the level's mean.
      *
-     * @param percentile99 the error that 99 % of all receivers do not exceed
+     * @param percentile99 the error that 99 % of them do not exceed
      */
     public record Error(double median, double percentile99) {}
 
@@ -256,13 +259,24 @@ public final class LightBake {
         }
     }
 
-    /** What the end of a ray reflects. */
+    /** What receivers reflect. */
     interface Reflection {
-        /** Adds the light that arrives along the last ray by reflection. */
-        void add(GatherRays.End end, GatherRays ray, Vector3dc direction, double cosine, Gathered to);
+        /**
+         * Adds the light of the receivers at the end of a ray.
+         *
+         * @param reflectance RGB radiance that arrives for each unit of their irradiance / π
+         * @param direction in which it arrives, with the {@code cosine} to the normal
+         */
+        void add(GatherRays.End end, Vector3dc reflectance, Vector3dc direction, double cosine, Gathered to);
     }
 
-    /** Traces one ray of a receiver and adds its light and that of an emissive face. */
+    /**
+     * Traces one ray of a receiver and adds its light and that of an emissive face. Off surfaces on which no light is
+     * baked, as leaves, it goes on in a random direction.
+     *
+     * @param index of the ray in its group
+     * @param shift random bits of the group
+     */
     void addRay(
             GatherRays ray,
             Receivers.Spot spot,
@@ -281,17 +295,51 @@ public final class LightBake {
         Vector3d origin = lifted(place, normal);
         GatherRays.End end = ray.trace(origin, direction, random);
         to.add(0, direction, cosine, ray.arriving(), 1);
-        Vector3dc emitted = ray.emitted();
-        if (emitted.x() + emitted.y() + emitted.z() > 0) {
-            to.add(0, direction, cosine, emitted, ray.emittedWeight(cosine, origin));
+        if (luminance(ray.emitted()) > 0) {
+            to.add(0, direction, cosine, ray.emitted(), ray.emittedWeight(cosine, origin));
         }
-        if (end != GatherRays.End.OPEN) {
-            reflection.add(end, ray, direction, cosine, to);
+        Vector3d reflectance = new Vector3d(ray.reflectance());
+        for (int others = 0; end == GatherRays.End.OTHER && others < MOST_OTHERS; others++) {
+            end = scattered(ray, random, reflectance, direction, cosine, to);
+        }
+        if (end != GatherRays.End.OPEN && end != GatherRays.End.OTHER) {
+            reflection.add(end, reflectance, direction, cosine, to);
         }
         if (ray.hasEmissiveFaces()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }
+    }
+
+    /** Adds the light straight on a ray's end, then traces on from there; changes what the next end's light is worth. */
+    private GatherRays.End scattered(
+            GatherRays ray,
+            SplittableRandom random,
+            Vector3d reflectance,
+            Vector3dc direction,
+            double cosine,
+            Gathered to) {
+        Vec3 place = ray.place();
+        Vector3d normal = new Vector3d(ray.normal());
+        for (int light = hasSun ? -1 : 0; light < layerOfLamp.length; light++) {
+            Vector3d radiance = ray.direct(light, place, normal, random).mul(reflectance);
+            to.add(light < 0 ? 0 : layerOfLamp[light], direction, cosine, radiance, 1);
+        }
+        double u = random.nextDouble();
+        Vector3d onwards = direction(normal, u, random.nextDouble(), Math.sqrt(1 - u));
+        GatherRays.End end = ray.trace(lifted(place, normal), onwards, random);
+        to.add(
+                0,
+                direction,
+                cosine,
+                new Vector3d(ray.arriving()).add(ray.emitted()).mul(reflectance),
+                1);
+        reflectance.mul(ray.reflectance());
+        return end;
+    }
+
+    private static double luminance(Vector3dc rgb) {
+        return Gathered.luminance(rgb.x(), rgb.y(), rgb.z());
     }
 
     private static Vector3d lifted(Vec3 place, Vector3dc normal) {
@@ -334,11 +382,9 @@ public final class LightBake {
         }
         int[] corners = new int[Receivers.CORNERS];
         double[] weights = new double[Receivers.CORNERS];
-        Reflection reflection = (end, met, direction, cosine, sum) -> {
-            if (end != GatherRays.End.OTHER) {
-                receivers.around(end, met, corners, weights);
-                addReflected(met, direction, cosine, sum, balanced, corners, weights);
-            }
+        Reflection reflection = (end, reflectance, direction, cosine, sum) -> {
+            receivers.around(end, ray, corners, weights);
+            addReflected(reflectance, direction, cosine, sum, balanced, corners, weights);
         };
         int rays = 0;
         double error = Double.POSITIVE_INFINITY;
@@ -383,14 +429,13 @@ public final class LightBake {
 
     /** Adds what the end of a ray reflects of the light of some receivers. */
     void addReflected(
-            GatherRays ray,
+            Vector3dc reflectance,
             Vector3dc direction,
             double cosine,
             Gathered to,
             float[] light,
             int[] corners,
             double[] weights) {
-        Vector3dc reflectance = ray.reflectance();
         for (int layer = 0; layer < names.size(); layer++) {
             double red = 0;
             double green = 0;
@@ -408,7 +453,7 @@ public final class LightBake {
     /** Returns the errors of the last {@link #gather}. */
     public Error error() {
         double[] sorted = IntStream.range(0, errors.length)
-                .filter(i -> errors[i] >= 0)
+                .filter(i -> errors[i] >= 0 && luminance(indirect, i) > 0)
                 .mapToDouble(i -> errors[i])
                 .sorted()
                 .toArray();
