@@ -50,6 +50,7 @@ final class PackageTable {
         USES.put("particle", List.of("collision"));
         USES.put("lightning", List.of("level"));
         USES.put("reference", List.of("portal", "model", "cloud"));
+        USES.put("bake", List.of("reference", "scene"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of("math", "work"));
         USES.put("render.line", with("render.gl", HEADLESS));

@@ -27,7 +27,7 @@ import nephele.engine.render.gl.GlKind;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -111,13 +111,13 @@ class SharedSceneGlTest {
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             var before = offscreen.gl.live().counts();
             PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
-            Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+            Scene scene = Scene.of(placed, LevelLight.of(placed, done -> {}));
             Renderer renderer = LevelRenderer.load(offscreen.gl, scene, DIRECT);
             for (int i = 0; i < fresh.size(); i++) {
                 drawn(offscreen, renderer, FrameState.atStart(renderer.scene().level()));
                 placed = placed.edited(edits.get(i));
                 renderer = LevelRenderer.edited(
-                        renderer, renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
+                        renderer, renderer.scene().edited(placed, LevelLight.of(placed, done -> {})));
                 assertArrayEquals(
                         fresh.get(i), drawn(offscreen, renderer, FrameState.atStart(edits.get(i))), "edit " + i);
             }

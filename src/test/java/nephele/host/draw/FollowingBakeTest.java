@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.named.LevelName;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -57,10 +57,9 @@ class FollowingBakeTest {
     void anEditIsDrawnUnderAnOpenSkyAndThenWithItsLight() {
         var prepared = prepared(true); // the level as saved was never baked
         assertEquals(saved.toString(), prepared.opened().file());
-        assertEquals(0, prepared.scene().skyVisibility().statics().all().size());
+        assertEquals(0, prepared.scene().light().statics().all().size());
         try (var bake = FollowingBake.begin(prepared.scene(), prepared.opened().placed())) {
-            assertTrue(BakedSky.isOf(
-                    bake.scene().skyVisibility(), prepared.opened().placed()));
+            assertTrue(LevelLight.isOf(bake.scene().light(), prepared.opened().placed()));
             assertEquals(100, bake.percent());
             assertTrue(bake.isDone());
         }
@@ -73,11 +72,10 @@ class FollowingBakeTest {
     @Test
     void anEditIsDrawnWithTheLightOfTheSavedLevel() {
         var placed = new LevelName(saved.toString()).open().placed();
-        var light = BakedSky.of(placed, share -> {});
+        var light = LevelLight.of(placed, share -> {});
         var prepared = prepared(true);
-        assertNotSame(light, prepared.scene().skyVisibility());
-        assertTrue(BakedSky.isOf(prepared.scene().skyVisibility(), placed));
-        assertFalse(BakedSky.isOf(
-                prepared.scene().skyVisibility(), prepared.opened().placed()));
+        assertNotSame(light, prepared.scene().light());
+        assertTrue(LevelLight.isOf(prepared.scene().light(), placed));
+        assertFalse(LevelLight.isOf(prepared.scene().light(), prepared.opened().placed()));
     }
 }

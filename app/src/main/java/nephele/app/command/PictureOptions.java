@@ -13,7 +13,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -95,7 +95,7 @@ final class PictureOptions {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.drawn(opened);
-        return LevelRenderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
+        return LevelRenderer.load(gl, Scene.of(shown, LevelLight.of(shown, progress)), settings);
     }
 
     /** The names of all settings, for the help. */

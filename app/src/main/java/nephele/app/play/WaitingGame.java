@@ -20,7 +20,7 @@ import nephele.editor.play.PlayOrder;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.sim.state.PlayerState;
 import nephele.host.draw.FollowingBake;
 import nephele.host.draw.Preparation;
@@ -60,7 +60,7 @@ public final class WaitingGame implements AutoCloseable {
     /** The last played level; {@code null} before the first play. */
     private LevelName lastPlayed;
 
-    private SkyVisibility lastLight;
+    private BakedLight lastLight;
 
     private WaitingGame(
             PlayRequest usual, GameWindow window, GlContext gl, Input input, OrderQueue orders, PrintStream answers) {
@@ -242,7 +242,7 @@ public final class WaitingGame implements AutoCloseable {
     }
 
     /** Returns the light of the last play, if that was an earlier state of the level; otherwise that of its file. */
-    private SkyVisibility formerLight(LevelName level) {
+    private BakedLight formerLight(LevelName level) {
         return level.equals(lastPlayed)
                 ? lastLight
                 : FollowingBake.lightOf(level).orElse(null);
@@ -258,7 +258,7 @@ public final class WaitingGame implements AutoCloseable {
                 percent -> answer(new PlayAnswer.Baking(percent)));
         var finished = new TestPlay(window, input, current, picture, message, reports).run();
         lastPlayed = current.session().request().level();
-        lastLight = current.session().prepared().scene().skyVisibility();
+        lastLight = current.session().prepared().scene().light();
         Optional<Path> recorded = record(finished);
         answer(new PlayAnswer.Ended(end(finished, recorded)));
     }

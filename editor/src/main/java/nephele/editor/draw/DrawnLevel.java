@@ -18,9 +18,9 @@ import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 
 /** One document on the GPU, in the view modes that were used so far. What cannot be drawn is left out and reported. */
 final class DrawnLevel implements AutoCloseable {
@@ -50,9 +50,9 @@ final class DrawnLevel implements AutoCloseable {
     /** The shapes whose sky's light was baked last, or is. */
     private StaticShapes lit;
     /** {@code null} while no bake runs. */
-    private CompletableFuture<SkyVisibility> bake;
+    private CompletableFuture<BakedLight> bake;
     /** The last light that was ready; {@code null} for none. */
-    private SkyVisibility light;
+    private BakedLight light;
 
     private volatile boolean isClosed;
 
@@ -136,7 +136,7 @@ final class DrawnLevel implements AutoCloseable {
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
     Optional<LevelPicture> picture(ViewMode mode) {
         LevelPicture picture = pictures.computeIfAbsent(mode, this::begun);
-        SkyVisibility baked = mode == ViewMode.LIT ? light() : null;
+        BakedLight baked = mode == ViewMode.LIT ? light() : null;
         failures.remove(mode);
         while (true) {
             try {
@@ -173,7 +173,7 @@ final class DrawnLevel implements AutoCloseable {
     }
 
     /** Returns the sky's light that the next picture would use, perhaps of an earlier version; {@code null} for none. */
-    SkyVisibility light() {
+    BakedLight light() {
         if (bake != null && bake.isDone()) {
             light = result(bake);
             bake = null;
@@ -182,7 +182,7 @@ final class DrawnLevel implements AutoCloseable {
     }
 
     /** Returns the earlier light if a bake fails: a picture with old light is better than none. */
-    private SkyVisibility result(CompletableFuture<SkyVisibility> done) {
+    private BakedLight result(CompletableFuture<BakedLight> done) {
         try {
             return done.join();
         } catch (CompletionException | CancellationException failed) {
@@ -196,7 +196,7 @@ final class DrawnLevel implements AutoCloseable {
         if (isNew && bake == null) {
             lit = placed.statics();
             PlacedLevel baked = placed;
-            bake = CompletableFuture.supplyAsync(() -> BakedSky.of(baked, this::progress), executor);
+            bake = CompletableFuture.supplyAsync(() -> LevelLight.of(baked, this::progress), executor);
             bake.whenComplete((visibility, failure) -> repaintSoon.run());
         }
     }

@@ -16,7 +16,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 
 /** The level in one view mode on the GPU, followed through edits. */
 final class LevelPicture implements AutoCloseable {
@@ -24,7 +24,7 @@ final class LevelPicture implements AutoCloseable {
     private final ViewMode mode;
     private final ViewModeLevel derivation;
     private PlacedLevel placed;
-    private SkyVisibility baked;
+    private BakedLight baked;
     private Renderer renderer;
     private Output output;
     private FrameState state;
@@ -59,7 +59,7 @@ final class LevelPicture implements AutoCloseable {
      * @param base the visible level; others of the same document share its shapes
      * @param light {@code null} if none is baked yet
      */
-    void show(PlacedLevel base, SkyVisibility light) {
+    void show(PlacedLevel base, BakedLight light) {
         Level level = derivation.of(base.level());
         boolean isSame = placed != null && placed.level() == level && baked == light;
         if (isSame) {
@@ -95,11 +95,11 @@ final class LevelPicture implements AutoCloseable {
         output = wanted;
     }
 
-    private static SkyVisibility first(Level level, SkyVisibility light) {
+    private static BakedLight first(Level level, BakedLight light) {
         if (!LightRequirements.skyVisibility(level)) {
             return null;
         }
-        return light == null ? SkyVisibility.open() : light;
+        return light == null ? BakedLight.open() : light;
     }
 
     private PlacedLevel placed(PlacedLevel base, Level level) {

@@ -18,7 +18,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.FontAtlas;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayPass;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 
 /**
  * Draws viewport frames and keeps what follows from the level from one frame to the next: an edit renews what changed,
@@ -44,7 +44,7 @@ public final class ViewportDrawing implements AutoCloseable {
             Pane pane,
             List<Mark> marks,
             Look look,
-            SkyVisibility light,
+            BakedLight light,
             double changed) {
         /** Levels are compared by identity: an edit makes a new one. */
         boolean isSame(DrawnPane other) {
@@ -150,7 +150,7 @@ public final class ViewportDrawing implements AutoCloseable {
 
     private void draw(Pane pane, ViewportFrame frame) {
         int index = pane.place().index();
-        SkyVisibility light = isLit(pane) ? drawn.light() : null;
+        BakedLight light = isLit(pane) ? drawn.light() : null;
         DrawnPane before = drawnPanes.get(index);
         RenderTarget picture = before != null
                 ? before.picture

@@ -14,9 +14,9 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.host.compare.CloudComparison;
 import nephele.host.compare.CloudComparison.ComparedScenes;
 import nephele.host.compare.ComparisonFigures;
@@ -37,7 +37,7 @@ public final class ComparisonThread implements AutoCloseable {
     private CloudComparison comparison;
     private ComparedScenes scenes;
     private PlacedLevel placed;
-    private SkyVisibility light;
+    private BakedLight light;
     private ComparedCloud drawn;
     private FrameState state;
 
@@ -113,7 +113,7 @@ public final class ComparisonThread implements AutoCloseable {
         if (!LightRequirements.skyVisibility(placed.level())) {
             light = null;
         } else if (light == null || before == null || before.statics() != placed.statics()) {
-            light = BakedSky.known(placed).orElseGet(SkyVisibility::open);
+            light = LevelLight.known(placed).orElseGet(BakedLight::open);
         }
     }
 

@@ -11,20 +11,20 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FaceFragment;
 import nephele.engine.scene.light.bake.FaceFragments;
-import nephele.engine.scene.light.bake.SkyVisibility;
 
 /**
  * Everything drawable that is derived from a level; immutable.
  *
  * @param statics the shapes of the static geometry
  * @param solids the meshes of the static geometry
- * @param cut the faces of the level's solids; {@code null} if neither sky visibility nor mirrors need them
- * @param skyVisibility {@code null} if no light of the sky reaches them
+ * @param cut the faces of the level's solids; {@code null} if neither baked light nor mirrors need them
+ * @param light {@code null} if no light of the sky reaches them and no light was baked
  * @param mirrors openings that never change, in the order of their ids
  * @param lights {@code null} if there is no punctual light
  */
@@ -35,67 +35,74 @@ public record Scene(
         SceneMaterials materials,
         SolidGeometry solids,
         FaceFragments cut,
-        SkyVisibility skyVisibility,
+        BakedLight light,
         List<Opening> mirrors,
         PunctualLightTable lights) {
-    /** Same as {@link #of(PlacedLevel, SkyVisibility)}, for a level from which nothing else is derived. */
+    /** Same as {@link #of(PlacedLevel, BakedLight)}, for a level from which nothing else is derived. */
     public static Scene of(Level level, AssetSource assets) {
         PlacedLevel placed = PlacedLevel.of(level, assets);
-        return of(placed, BakedSky.of(placed, done -> {}));
+        return of(placed, LevelLight.of(placed, done -> {}));
     }
 
     /**
      * Derives the scene; bakes nothing.
      *
-     * @param visibility the result of {@link BakedSky}
+     * @param light the result of {@link LevelLight}
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
-    public static Scene of(PlacedLevel placed, SkyVisibility visibility) {
+    public static Scene of(PlacedLevel placed, BakedLight light) {
         Level level = placed.level();
         StaticShapes statics = placed.statics();
         SceneMaterials materials = SceneMaterials.NONE.edited(level.materials(), placed.assets());
-        FaceFragments cut = cut(placed, visibility, null);
-        SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility, cut);
+        FaceFragments cut = cut(placed, light, null);
+        SolidGeometry geometry = SolidGeometry.of(statics, materials, light, cut);
         List<Opening> mirrors = of(level, statics, materials, cut);
         PunctualLightTable lights = PunctualLightTable.of(level, statics);
-        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors, lights);
+        return new Scene(level, placed.assets(), statics, materials, geometry, cut, light, mirrors, lights);
     }
 
     /**
-     * Derives the scene of an edited level; unchanged parts stay the same objects. Bakes nothing: the former sky
-     * visibility is kept as far as it fits.
+     * Derives the scene of an edited level; unchanged parts stay the same objects. Bakes nothing: the former light is kept
+     * as far as it fits.
      *
      * @param baked for this level or for an earlier one, {@code null} for that of this scene
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
-    public Scene edited(PlacedLevel placed, SkyVisibility baked) {
+    public Scene edited(PlacedLevel placed, BakedLight baked) {
         Level edited = placed.level();
         StaticShapes others = placed.statics();
         SceneMaterials otherMaterials = materials.edited(edited.materials(), placed.assets());
-        SkyVisibility light = light(edited, baked);
-        FaceFragments otherCut = cut(placed, light, cut);
-        SolidGeometry geometry = solids.edited(others, otherMaterials, light, otherCut);
+        BakedLight otherLight = light(edited, baked);
+        FaceFragments otherCut = cut(placed, otherLight, cut);
+        SolidGeometry geometry = solids.edited(others, otherMaterials, otherLight, otherCut);
         boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
         List<Opening> otherMirrors = areMirrorsSame ? mirrors : of(edited, others, otherMaterials, otherCut);
         PunctualLightTable otherLights = PunctualLightTable.edited(lights, edited, others);
         return new Scene(
-                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors, otherLights);
+                edited,
+                placed.assets(),
+                others,
+                otherMaterials,
+                geometry,
+                otherCut,
+                otherLight,
+                otherMirrors,
+                otherLights);
     }
 
-    private SkyVisibility light(Level edited, SkyVisibility baked) {
-        if (!LightRequirements.skyVisibility(edited)) {
-            return null;
+    private BakedLight light(Level edited, BakedLight baked) {
+        BakedLight known = baked == null ? light : baked;
+        if (LightRequirements.skyVisibility(edited)) {
+            return known == null ? BakedLight.open() : known;
         }
-        SkyVisibility known = baked == null ? skyVisibility : baked;
-        return known == null ? SkyVisibility.open() : known;
+        return known == null || known.indirect() == null ? null : known;
     }
 
-    private static FaceFragments cut(PlacedLevel placed, SkyVisibility visibility, FaceFragments before) {
-        if (visibility == null && !MirrorFaces.any(placed.level())) {
+    private static FaceFragments cut(PlacedLevel placed, BakedLight light, FaceFragments before) {
+        if (light == null && !MirrorFaces.any(placed.level())) {
             return null;
         }
-        FaceFragments known =
-                before == null && visibility != null ? visibility.layout().fragments() : before;
+        FaceFragments known = before == null && light != null ? light.layout().fragments() : before;
         List<Brush> solids = placed.statics().solids();
         return known == null ? FaceFragments.of(solids) : known.edited(solids);
     }

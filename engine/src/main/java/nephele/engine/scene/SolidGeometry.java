@@ -13,6 +13,7 @@ import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.scene.light.LightMapLookup;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FaceFragments;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
@@ -43,7 +44,7 @@ public final class SolidGeometry {
     private final StaticShapes statics;
     private final StaticShapes drawn;
     private final SceneMaterials materials;
-    private final SkyVisibility sky;
+    private final BakedLight sky;
     private final LightMapLookup light;
     private final short[] skyOfModels;
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
@@ -69,11 +70,7 @@ public final class SolidGeometry {
     }
 
     private SolidGeometry(
-            StaticShapes statics,
-            SceneMaterials materials,
-            SkyVisibility sky,
-            FaceFragments cut,
-            SolidGeometry before) {
+            StaticShapes statics, SceneMaterials materials, BakedLight sky, FaceFragments cut, SolidGeometry before) {
         boolean isUnderOldSky = before != null && before.sky == sky;
         boolean hasOldModels = isUnderOldSky && before.statics.models() == statics.models();
         this.statics = statics;
@@ -81,7 +78,9 @@ public final class SolidGeometry {
         this.sky = sky;
         FaceFragments parts = sky == null ? whole(statics, before) : cut;
         drawn = hasOldModels ? statics.with(before.drawn.models()) : drawn(statics, sky);
-        skyOfModels = hasOldModels ? before.skyOfModels : sky == null ? null : sky.ofModels(drawn.models());
+        skyOfModels = hasOldModels
+                ? before.skyOfModels
+                : sky == null ? null : sky.visibility().ofModels(drawn.models());
         List<StaticShape> shapes = drawn.all();
         List<Aabb> boxes = shapes.stream().map(StaticShape::bounds).toList();
         index = before == null ? SpatialIndex.of(boxes) : before.index.edited(boxes);
@@ -91,7 +90,9 @@ public final class SolidGeometry {
         boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
         light = sky == null
                 ? null
-                : isUnderOldSky ? before.light.edited(drawn.solids()) : new LightMapLookup(sky, drawn.solids());
+                : isUnderOldSky
+                        ? before.light.edited(drawn.solids())
+                        : new LightMapLookup(sky.visibility(), drawn.solids());
         SolidGeometry copied = isAtOldPlace ? before : null;
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
@@ -168,23 +169,22 @@ public final class SolidGeometry {
                 : before.fragments.edited(statics.solids());
     }
 
-    private static StaticShapes drawn(StaticShapes statics, SkyVisibility sky) {
+    private static StaticShapes drawn(StaticShapes statics, BakedLight sky) {
         return sky == null ? statics : statics.split(SkyVisibility.MODEL_EDGE_METRES);
     }
 
     /**
      * Meshes the static geometry.
      *
-     * @param sky the sky visibility, or {@code null} if no light of the sky reaches it
+     * @param sky the baked light, or {@code null} for none
      * @param cut the solids' faces, read only if {@code sky} is not {@code null}
      */
-    static SolidGeometry of(StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
+    static SolidGeometry of(StaticShapes statics, SceneMaterials materials, BakedLight sky, FaceFragments cut) {
         return new SolidGeometry(statics, materials, sky, cut, null);
     }
 
     /** Returns the geometry of an edited level, or this object if nothing drawn has changed. */
-    SolidGeometry edited(
-            StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
+    SolidGeometry edited(StaticShapes others, SceneMaterials otherMaterials, BakedLight otherSky, FaceFragments cut) {
         boolean isSame = others == statics
                 && otherSky == sky
                 && (otherMaterials == materials

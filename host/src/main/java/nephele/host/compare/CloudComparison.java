@@ -74,7 +74,7 @@ public final class CloudComparison implements AutoCloseable {
         private static Scene drawnBy(Scene scene, CloudTechnique technique) {
             PlacedLevel placed =
                     new PlacedLevel(TechniquePair.drawnBy(scene.level(), technique), scene.assets(), scene.statics());
-            return scene.edited(placed, scene.skyVisibility());
+            return scene.edited(placed, scene.light());
         }
     }
 

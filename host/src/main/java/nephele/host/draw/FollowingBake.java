@@ -10,8 +10,8 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.host.named.LevelName;
 
 /**
@@ -24,9 +24,9 @@ public final class FollowingBake implements AutoCloseable {
     private volatile boolean isClosed;
 
     private FollowingBake(Scene scene, PlacedLevel drawn) {
-        task = new FutureTask<>(() -> scene.skyVisibility() == null || BakedSky.isOf(scene.skyVisibility(), drawn)
+        task = new FutureTask<>(() -> scene.light() == null || LevelLight.isOf(scene.light(), drawn)
                 ? scene
-                : scene.edited(drawn, BakedSky.of(drawn, this::progress)));
+                : scene.edited(drawn, LevelLight.of(drawn, this::progress)));
     }
 
     /**
@@ -35,20 +35,20 @@ public final class FollowingBake implements AutoCloseable {
      * @param former of an earlier state of the level, {@code null} for none
      * @return {@code null} if no light of the sky reaches anything
      */
-    static SkyVisibility lightBefore(PlacedLevel placed, Supplier<SkyVisibility> former) {
-        if (!BakedSky.isRequired(placed)) {
+    static BakedLight lightBefore(PlacedLevel placed, Supplier<BakedLight> former) {
+        if (!LevelLight.isRequired(placed)) {
             return null;
         }
-        return BakedSky.known(placed)
+        return LevelLight.known(placed)
                 .or(() -> Optional.ofNullable(former.get()))
-                .orElseGet(SkyVisibility::open);
+                .orElseGet(BakedLight::open);
     }
 
     /** Returns the baked light of a level as saved; empty if it was not baked, or the level cannot be read. */
-    public static Optional<SkyVisibility> lightOf(LevelName level) {
+    public static Optional<BakedLight> lightOf(LevelName level) {
         try {
             var saved = LevelFile.open(level.typed());
-            return BakedSky.known(PlacedLevel.of(saved.level(), saved.assets()));
+            return LevelLight.known(PlacedLevel.of(saved.level(), saved.assets()));
         } catch (LevelFormatException | AssetException unusable) {
             return Optional.empty();
         }

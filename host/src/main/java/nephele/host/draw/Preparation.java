@@ -7,8 +7,8 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.sim.state.SimLevel;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
@@ -39,7 +39,7 @@ public final class Preparation {
      * @param bakeProgress called with 0–1 from several threads while light is baked, otherwise not
      */
     public static Preparation begin(LevelName level, QualityChoice quality, DoubleConsumer bakeProgress) {
-        return begin(level::open, quality, drawn -> BakedSky.of(drawn, bakeProgress));
+        return begin(level::open, quality, drawn -> LevelLight.of(drawn, bakeProgress));
     }
 
     /**
@@ -49,12 +49,12 @@ public final class Preparation {
      *     the thread of the preparation
      */
     public static Preparation beginUnbaked(
-            Supplier<OpenedLevel> level, QualityChoice quality, Supplier<SkyVisibility> former) {
+            Supplier<OpenedLevel> level, QualityChoice quality, Supplier<BakedLight> former) {
         return begin(level, quality, drawn -> FollowingBake.lightBefore(drawn, former));
     }
 
     private static Preparation begin(
-            Supplier<OpenedLevel> level, QualityChoice quality, Function<PlacedLevel, SkyVisibility> light) {
+            Supplier<OpenedLevel> level, QualityChoice quality, Function<PlacedLevel, BakedLight> light) {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.get();

@@ -14,7 +14,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.lab.bench.CalibrationDrawing;
 
 /** A sky drawn by a technique: its picture, and the time that it takes. */
@@ -39,7 +39,7 @@ public final class DrawnSky implements AutoCloseable {
     private DrawnSky(GlContext gl, SkyView sky, PlacedLevel placed, Quality quality, int scale) {
         this.gl = gl;
         this.sky = sky;
-        Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+        Scene scene = Scene.of(placed, LevelLight.of(placed, done -> {}));
         renderer = LevelRenderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
         target = RenderTarget.picture(gl, "sky", PixelFormat.RGBA8, scale * SkyView.WIDTH, scale * SkyView.HEIGHT);
     }

@@ -17,7 +17,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
@@ -77,7 +77,7 @@ final class PagePictures implements AutoCloseable {
         var settings = command.quality()
                 .settings(QualityChoice.defaultOutput(level), gl.limits().software());
         try (var target = RenderTarget.picture(gl, "page", PixelFormat.RGBA8, width, height);
-                var renderer = LevelRenderer.load(gl, Scene.of(placed, BakedSky.of(placed, done -> {})), settings)) {
+                var renderer = LevelRenderer.load(gl, Scene.of(placed, LevelLight.of(placed, done -> {})), settings)) {
             FrameState state = FrameState.atStart(level);
             state.seconds(command.seconds());
             for (int frame = 0; frame < FRAMES; frame++) {

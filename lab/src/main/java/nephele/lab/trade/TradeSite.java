@@ -16,7 +16,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -113,7 +113,7 @@ public final class TradeSite implements AutoCloseable {
     public Scene scene(Level level) {
         return opened.reporting(() -> {
             var placed = opened.placed().edited(level);
-            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(log)));
+            return Scene.of(placed, LevelLight.of(placed, PrintedProgress.ofBake(log)));
         });
     }
 

@@ -31,7 +31,7 @@ import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.rule.LevelRules;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.sim.state.SimLevel;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -323,7 +323,7 @@ class PlacedModelsTest {
         assertSame(
                 statics,
                 placed.edited(level.with(level.environment(), List.of())).statics());
-        assertSame(statics, Scene.of(placed, BakedSky.of(placed, done -> {})).statics());
+        assertSame(statics, Scene.of(placed, LevelLight.of(placed, done -> {})).statics());
         assertEquals(1, SimLevel.of(placed).statics().size());
         TracedLevel traced = TracedLevel.of(placed, ColourDecoding.SRGB);
         Basis ahead = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));

@@ -102,7 +102,7 @@ class TechniqueFadeGlTest {
 
     private static Scene edited(Renderer renderer, Level level) {
         Scene before = renderer.scene();
-        return before.edited(new PlacedLevel(level, before.assets(), before.statics()), before.skyVisibility());
+        return before.edited(new PlacedLevel(level, before.assets(), before.statics()), before.light());
     }
 
     private LinearPicture drawn(Renderer renderer) {

@@ -12,7 +12,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -37,7 +37,7 @@ class EditedTownTest {
     }
 
     /** Bakes the first few solids only, which is enough to represent the light of an earlier level. */
-    static SkyVisibility bakedInPart(PlacedLevel placed) {
+    static BakedLight bakedInPart(PlacedLevel placed) {
         Level level = placed.level();
         Level part = level.with(level.materials(), level.solids().subList(1, 5), List.of(), List.of());
         return EditedTown.baked(PlacedLevel.of(part, ASSETS));
@@ -52,7 +52,7 @@ class EditedTownTest {
     void randomEditsGiveWhatAFreshLoadGives(long seed) {
         Level level = Town.of(seed, 2, 1);
         PlacedLevel placed = PlacedLevel.of(level, ASSETS);
-        SkyVisibility baked = bakedInPart(placed);
+        BakedLight baked = bakedInPart(placed);
         EditedTown town = EditedTown.of(placed, baked);
         RandomEdits edits = new RandomEdits(seed, level);
         List<RandomEdits.Kind> kinds = List.copyOf(EnumSet.allOf(RandomEdits.Kind.class));
@@ -68,11 +68,11 @@ class EditedTownTest {
     @Test
     void anotherTownDiffers() {
         Level level = Town.of(1, 1, 1);
-        EditedTown town = EditedTown.of(PlacedLevel.of(level, ASSETS), SkyVisibility.open());
+        EditedTown town = EditedTown.of(PlacedLevel.of(level, ASSETS), BakedLight.open());
         List<Solid> fewer = new ArrayList<>(level.solids());
         fewer.remove(7);
         EditedTown other =
-                EditedTown.of(PlacedLevel.of(level.with(level.materials(), fewer), ASSETS), SkyVisibility.open());
+                EditedTown.of(PlacedLevel.of(level.with(level.materials(), fewer), ASSETS), BakedLight.open());
         assertFalse(Differences.of(town, other).isEmpty());
     }
 }

@@ -25,7 +25,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 import org.junit.jupiter.api.Test;
 
 /** After an edit of heights or paint the picture is the one of a level that was opened so: shadows, the sky's light, triangles. */
@@ -106,7 +106,7 @@ class TerrainEditGlTest {
         List<int[]> pictures = new ArrayList<>();
         PlacedLevel placed = PlacedLevel.of(levels.get(0), MAPS);
         try (Offscreen offscreen = new Offscreen(160, 120)) {
-            Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS);
+            Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, BakedLight.open()), SETTINGS);
             for (Level level : levels) {
                 placed = placed.edited(level);
                 renderer = LevelRenderer.edited(renderer, renderer.scene().edited(placed, null));
@@ -123,8 +123,7 @@ class TerrainEditGlTest {
     private static int[] opened(Level level) {
         PlacedLevel placed = PlacedLevel.of(level, MAPS);
         try (Offscreen offscreen = new Offscreen(160, 120);
-                Renderer renderer =
-                        LevelRenderer.load(offscreen.gl, Scene.of(placed, SkyVisibility.open()), SETTINGS)) {
+                Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, BakedLight.open()), SETTINGS)) {
             renderer.draw(view(offscreen), offscreen.picture);
             return offscreen.pixels();
         }

@@ -21,7 +21,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 
 /**
  * A case as the engine draws it: each pixel of its picture is the mean of a square of drawn ones, as it is a mean of traced
@@ -82,7 +82,7 @@ final class DrawnCase {
                     .with("cloudResolution", 1)
                     .with("cloudHistory", CloudHistory.NONE)
                     .with("cloudScattering", model);
-            Scene scene = Scene.of(exact.placed(), BakedSky.of(exact.placed(), done -> {}));
+            Scene scene = Scene.of(exact.placed(), LevelLight.of(exact.placed(), done -> {}));
             renderer = LevelRenderer.load(gl, scene, RenderSettings.of(Output.HDR, quality));
             LinearPicture size = exact.radiance();
             target = RenderTarget.picture(

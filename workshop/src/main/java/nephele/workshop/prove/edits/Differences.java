@@ -43,7 +43,7 @@ final class Differences {
 
     private void scene(Scene edited, Scene fresh) {
         expect(edited.statics().solids().equals(fresh.statics().solids()), "brushes");
-        expect(edited.skyVisibility() == fresh.skyVisibility(), "light of the sky");
+        expect(edited.light() == fresh.light(), "light of the sky");
         materials(edited.materials(), fresh.materials());
         geometry(edited.solids(), fresh.solids());
         expect(described(edited.mirrors()).equals(described(fresh.mirrors())), "mirrors");

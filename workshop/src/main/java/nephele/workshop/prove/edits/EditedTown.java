@@ -5,6 +5,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.sim.state.SimLevel;
@@ -12,9 +13,10 @@ import nephele.engine.sim.state.SimLevel;
 /** Everything that is derived from a level without OpenGL, as the editor keeps it. */
 public record EditedTown(PlacedLevel placed, Scene scene, SimLevel simulated) {
     /** Bakes the sky's light; nothing is saved to disk. */
-    public static SkyVisibility baked(PlacedLevel placed) {
-        return new SkyVisibilityCache(placed.assets(), List.of())
+    public static BakedLight baked(PlacedLevel placed) {
+        SkyVisibility visibility = new SkyVisibilityCache(placed.assets(), List.of())
                 .of(placed.statics().split(SkyVisibility.MODEL_EDGE_METRES), done -> {});
+        return new BakedLight(visibility, null);
     }
 
     /**
@@ -22,13 +24,13 @@ public record EditedTown(PlacedLevel placed, Scene scene, SimLevel simulated) {
      *
      * @param baked for this level or an earlier one; used if the sky lights the level
      */
-    static EditedTown of(PlacedLevel placed, SkyVisibility baked) {
-        SkyVisibility light = LightRequirements.skyVisibility(placed.level()) ? baked : null;
+    static EditedTown of(PlacedLevel placed, BakedLight baked) {
+        BakedLight light = LightRequirements.skyVisibility(placed.level()) ? baked : null;
         return new EditedTown(placed, Scene.of(placed, light), SimLevel.of(placed));
     }
 
     /** Derives everything for an edited level and reuses the parts that do not differ. */
-    EditedTown edited(Level level, SkyVisibility baked) {
+    EditedTown edited(Level level, BakedLight baked) {
         PlacedLevel other = placed.edited(level);
         return new EditedTown(other, scene.edited(other, baked), simulated.edited(placed, other));
     }

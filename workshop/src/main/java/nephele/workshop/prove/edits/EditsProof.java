@@ -20,7 +20,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.bake.SkyVisibility;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.workshop.prove.proof.Claim;
 import nephele.workshop.prove.proof.Figure;
 import nephele.workshop.prove.proof.Proof;
@@ -45,13 +45,13 @@ public final class EditsProof implements Proof {
 
     private final int plots;
     private final int rows;
-    private final Function<PlacedLevel, SkyVisibility> bake;
+    private final Function<PlacedLevel, BakedLight> bake;
 
     /**
      * @param plots of the town in a row, each of 25 solids
      * @param bake computes the sky's light of an edited town
      */
-    public EditsProof(int plots, int rows, Function<PlacedLevel, SkyVisibility> bake) {
+    public EditsProof(int plots, int rows, Function<PlacedLevel, BakedLight> bake) {
         this.plots = plots;
         this.rows = rows;
         this.bake = bake;
@@ -106,11 +106,11 @@ public final class EditsProof implements Proof {
         private final List<String> failures = new ArrayList<>();
         private final RandomEdits edits;
         private EditedTown town;
-        private SkyVisibility baked;
+        private BakedLight baked;
         /** The current renderer, while there is a context. */
         private Renderer renderer;
         /** The bake in the background; {@code null} if there is none. */
-        private CompletableFuture<SkyVisibility> behind;
+        private CompletableFuture<BakedLight> behind;
 
         private long editsWhileBaking;
         private double slowestFrame;

@@ -25,7 +25,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.named.LevelCatalogue;
 
 /**
@@ -55,7 +55,7 @@ final class ComparedLevel<V> implements AutoCloseable {
         var placed = PlacedLevel.of(level, assets);
         traced = TracedLevel.of(placed, decoding);
         cameras = new SeededCameras(level, traced, 16.0 / 9);
-        var scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+        var scene = Scene.of(placed, LevelLight.of(placed, done -> {}));
         try {
             variants.forEach((variant, settings) -> renderers.put(variant, LevelRenderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {

@@ -22,7 +22,7 @@ import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
 import nephele.engine.sim.state.SimSettings;
@@ -115,7 +115,7 @@ public final class StandingOutProof implements Proof {
     private ProofResult look(String file, int first, int end, GlContext gl, RenderTarget picture) throws Exception {
         ProofResult result = ProofResult.NOTHING;
         OpenedLevel opened = new LevelName(file).open();
-        var sky = BakedSky.of(opened.placed(), done -> {});
+        var sky = LevelLight.of(opened.placed(), done -> {});
         var scene = Scene.of(opened.placed(), sky);
         var settings = RenderSettings.of(QualityChoice.defaultOutput(opened.level()), Quality.MEDIUM)
                 .with(CharacterPresence.POSSIBLE);

@@ -27,7 +27,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.rule.LevelRules;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.state.PlayerInput;
 import nephele.engine.sim.state.PlayerInput.Action;
@@ -183,7 +183,7 @@ final class InputTrial {
     }
 
     private void drawn(PlacedLevel placed, double seconds, GlContext gl) throws Fault {
-        Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+        Scene scene = Scene.of(placed, LevelLight.of(placed, done -> {}));
         RenderSettings settings = RenderSettings.of(Output.HDR, LOWEST);
         try (RenderTarget target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT);
                 Renderer renderer = LevelRenderer.load(gl, scene, settings)) {

@@ -26,7 +26,7 @@ public final class SkyVisibilityPass implements Pass {
             new RenderFeature("sky-visibility", Stage.ONCE_A_FRAME, SkyVisibilityPass::requiredBy);
 
     private SkyVisibilityPass(LoadContext context) {
-        SkyVisibility visibility = context.scene().skyVisibility();
+        SkyVisibility visibility = context.scene().light().visibility();
         Texture map = context.share(
                 Texture.class, new Identity(visibility.texels()), () -> texture(context.gl(), visibility));
         context.targets().put(Target.SKY_VISIBILITY, map);

@@ -5,17 +5,18 @@ import java.util.function.DoubleConsumer;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.scene.light.bake.SkyVisibilityFile;
 import nephele.engine.work.SwingThread;
 
-/** The sky visibility of the static geometry, computed before the scene because it may take seconds. */
-public final class BakedSky {
-    private BakedSky() {}
+/** The baked light of the static geometry, read or computed before the scene because that may take seconds. */
+public final class LevelLight {
+    private LevelLight() {}
 
     /**
-     * Reads the visibility if it was baked before, otherwise bakes and stores it ({@link SkyVisibilityCache}). May run
+     * Reads the sky visibility if it was baked before, otherwise bakes and stores it ({@link SkyVisibilityCache}). May run
      * on a thread of its own while the level is edited; {@link nephele.engine.scene.Scene#edited} accepts the result
      * then.
      *
@@ -23,18 +24,18 @@ public final class BakedSky {
      *     An exception that it throws ends the bake, which stores nothing, and is rethrown here
      * @return {@code null} if no light of the sky reaches anything
      */
-    public static SkyVisibility of(PlacedLevel placed, DoubleConsumer progress) {
+    public static BakedLight of(PlacedLevel placed, DoubleConsumer progress) {
         SwingThread.refuse("the bake of a sky");
         AirCache.prepare(placed.level().environment(), progress);
         if (!LightRequirements.skyVisibility(placed.level())) {
             return null;
         }
-        return SkyVisibilityCache.of(placed.assets()).of(baked(placed), progress);
+        return new BakedLight(SkyVisibilityCache.of(placed.assets()).of(baked(placed), progress), null);
     }
 
-    /** Returns the visibility if it was baked before; bakes nothing. */
-    public static Optional<SkyVisibility> known(PlacedLevel placed) {
-        return SkyVisibilityCache.of(placed.assets()).known(baked(placed));
+    /** Returns the light if it was baked before; bakes nothing. */
+    public static Optional<BakedLight> known(PlacedLevel placed) {
+        return SkyVisibilityCache.of(placed.assets()).known(baked(placed)).map(known -> new BakedLight(known, null));
     }
 
     /** Returns true if the level needs a visibility at all. */
@@ -42,9 +43,9 @@ public final class BakedSky {
         return LightRequirements.skyVisibility(placed.level());
     }
 
-    /** Returns true if the visibility was baked for the very geometry of this level. */
-    public static boolean isOf(SkyVisibility visibility, PlacedLevel placed) {
-        return SkyVisibilityFile.nameFor(visibility.statics()).equals(SkyVisibilityFile.nameFor(baked(placed)));
+    /** Returns true if the light was baked for the very geometry of this level. */
+    public static boolean isOf(BakedLight light, PlacedLevel placed) {
+        return SkyVisibilityFile.nameFor(light.statics()).equals(SkyVisibilityFile.nameFor(baked(placed)));
     }
 
     private static StaticShapes baked(PlacedLevel placed) {
