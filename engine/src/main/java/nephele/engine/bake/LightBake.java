@@ -305,7 +305,7 @@ public final class LightBake {
         if (end != GatherRays.End.OPEN && end != GatherRays.End.OTHER) {
             reflection.add(end, reflectance, direction, cosine, to);
         }
-        if (ray.hasEmissiveFaces()) {
+        if (ray.hasEmissive()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }
