@@ -8,17 +8,21 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.RecordCopy;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.GatherRays;
+import nephele.engine.reference.SkyPanorama;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.light.bake.IndirectLight;
 import nephele.engine.scene.light.bake.LightMapLayout;
@@ -55,6 +59,9 @@ public final class LightBake {
     private final Settings settings;
     private final TracedLevel traced;
     private final GatherRays.Sources sources;
+    /** {@code null} if each ray finds the sky itself. */
+    private final SkyPanorama panorama;
+
     private final Receivers receivers;
     /** The names of the layers, the nameless one first. */
     private final List<String> names;
@@ -113,6 +120,7 @@ public final class LightBake {
         traced = TracedLevel.of(new PlacedLevel(still, placed.assets(), statics), ColourDecoding.SRGB);
         sources = Daylight.moves(level.environment()) ? GatherRays.Sources.LAMPS : GatherRays.Sources.ALL;
         hasSun = level.environment().sun() != null && sources == GatherRays.Sources.ALL;
+        panorama = sources == GatherRays.Sources.ALL ? panorama(level, statics.bounds()) : null;
         receivers = new Receivers(LightMapLayout.of(statics.solids()), statics);
         List<Light> lamps = traced.lamps();
         names = new ArrayList<>(List.of(""));
@@ -121,6 +129,27 @@ public final class LightBake {
         direct = new float[values];
         indirect = new float[values];
         errors = new float[receivers.count()];
+    }
+
+    /** Returns the sky as the top of the level sees it, or {@code null} if that is inside a cloud. */
+    private SkyPanorama panorama(Level level, Aabb bounds) {
+        Vec3 middle = bounds.centre();
+        Vec3 top = new Vec3(middle.x(), bounds.maxY(), middle.z());
+        boolean isInCloud =
+                WeatherClouds.all(level.environment()).stream().anyMatch(cloud -> isAround(cloud.extent(), top));
+        return isInCloud ? null : traced.panorama(top).orElse(null);
+    }
+
+    private static boolean isAround(Cloud.Extent extent, Vec3 place) {
+        if (extent instanceof Cloud.Extent.Layer layer) {
+            double above = place.y() - layer.baseAltitudeMetres();
+            return above >= 0 && above <= layer.thicknessMetres();
+        }
+        Cloud.Extent.Volume volume = (Cloud.Extent.Volume) extent;
+        Vec3 from = place.minus(volume.centre());
+        return Math.abs(from.x()) <= volume.size().x() / 2
+                && Math.abs(from.y()) <= volume.size().y() / 2
+                && Math.abs(from.z()) <= volume.size().z() / 2;
     }
 
     /**
@@ -202,7 +231,7 @@ public final class LightBake {
 
     void inParallel(DoubleConsumer progress, BlockWork work) {
         AtomicInteger done = new AtomicInteger();
-        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources));
+        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources, panorama));
         IntStream.range(0, blocks()).parallel().forEach(block -> {
             work.run(rays.get(), block);
             progress.accept((double) done.incrementAndGet() / blocks());

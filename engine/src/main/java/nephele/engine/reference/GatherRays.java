@@ -11,6 +11,9 @@ import org.joml.Vector3dc;
  * accessors refer to the last ray.
  */
 public final class GatherRays {
+    /** Up to here air takes and adds less than 1 % of the light; to integrate it takes longer than to trace the ray. */
+    private static final double AIRLESS_METRES = 100;
+
     private static final Vector3dc WHITE = new Vector3d(1);
 
     private final TracedLevel level;
@@ -18,6 +21,9 @@ public final class GatherRays {
     private final Shafts.ShadowRays shadows;
     /** {@code null} without clouds. */
     private final CloudSight clouds;
+
+    /** {@code null} if each ray finds the sky itself. */
+    private final SkyPanorama panorama;
 
     private final Sources sources;
     private final Vector3d arriving = new Vector3d();
@@ -46,12 +52,13 @@ public final class GatherRays {
         OTHER
     }
 
-    GatherRays(TracedLevel level, Sources sources, Shafts.ShadowRays shadows) {
+    GatherRays(TracedLevel level, Sources sources, SkyPanorama panorama, Shafts.ShadowRays shadows) {
         this.level = level;
+        this.panorama = panorama;
         this.sources = sources;
         this.shadows = shadows;
         path = level.path(false);
-        clouds = sources == Sources.ALL ? level.cloudSight().orElse(null) : null;
+        clouds = sources == Sources.ALL && panorama == null ? level.cloudSight().orElse(null) : null;
     }
 
     /**
@@ -65,6 +72,10 @@ public final class GatherRays {
         emitted.zero();
         reflectance.zero();
         boolean isMet = path.trace(origin, direction, 0, Double.POSITIVE_INFINITY);
+        if (!isMet && panorama != null) {
+            arriving.set(panorama.at(path.direction())).mul(path.tint());
+            return End.OPEN;
+        }
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
         if (cloud != null) {
             arriving.set(level.fromCloud(cloud, clouds, path, random));
@@ -80,8 +91,12 @@ public final class GatherRays {
         place = path.ray().at(path.end());
         surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
                 .reciprocal();
-        Vector3d passed = level.transmittance(place, path);
-        arriving.set(sources == Sources.ALL ? level.arriving(new Vector3d(), place, path, random) : new Vector3d());
+        boolean isNear = path.metres() < AIRLESS_METRES;
+        Vector3d passed = isNear ? level.fogTransmittance(path) : level.transmittance(place, path);
+        arriving.set(
+                sources == Sources.LAMPS
+                        ? new Vector3d()
+                        : isNear ? level.fromFog(path) : level.arriving(new Vector3d(), place, path, random));
         emitted.set(surface.emission().toVector()).mul(passed);
         reflectance
                 .set(

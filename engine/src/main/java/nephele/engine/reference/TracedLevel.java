@@ -114,9 +114,20 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
-    /** Returns rays of a bake for one thread. */
-    public GatherRays gatherRays(GatherRays.Sources sources) {
-        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    /**
+     * Returns rays of a bake for one thread.
+     *
+     * @param panorama the sky as one place sees it; {@code null} if each ray is to find the sky itself
+     */
+    public GatherRays gatherRays(GatherRays.Sources sources, SkyPanorama panorama) {
+        return new GatherRays(this, sources, panorama, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the sky as a place sees it; empty if it costs no more to ask the sky itself, or is no light. */
+    public Optional<SkyPanorama> panorama(Vec3 eye) {
+        return light.isSkyLight() && (air.isPresent() || clouds.isPresent())
+                ? Optional.of(SkyPanorama.of(this, eye))
+                : Optional.empty();
     }
 
     /** Returns the lamps that emit anything, in the order of the level. */
@@ -279,6 +290,16 @@ public final class TracedLevel {
     Vector3d arriving(Vector3d radiance, Vec3 place, EyePath path, SplittableRandom random) {
         Vector3d seen = throughAir(radiance, place, path, random);
         return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
+    }
+
+    /** Returns the fraction of light that fog and mirrors leave of what the place at a path's end sends. */
+    Vector3d fogTransmittance(EyePath path) {
+        return new Vector3d(path.tint()).mul(fogTransmittance(path.lastSegment(), path.metres()));
+    }
+
+    /** Returns the radiance that arrives along a path from the fog before its end. */
+    Vector3d fromFog(EyePath path) {
+        return mirrored(throughFog(new Vector3d(), path.lastSegment(), path.metres()), path.tint(), path.reflected());
     }
 
     /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
