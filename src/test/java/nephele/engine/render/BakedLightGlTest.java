@@ -89,8 +89,7 @@ class BakedLightGlTest {
             List<Map<String, Double>> gains) {
         Scene scene = Scene.of(placed, light);
         List<float[]> drawn = new ArrayList<>();
-        try (Renderer renderer =
-                LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality))) {
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, quality))) {
             FrameState state = FrameState.atStart(placed.level());
             for (Map<String, Double> some : gains) {
                 state.layerGains(some);
@@ -236,8 +235,7 @@ class BakedLightGlTest {
         Level level = new TestLevel()
                 .material("ground", TestLevel.grey(ALBEDO))
                 .level()
-                .withTerrains(List.of(
-                        TestTerrain.said("t", "map.r16", Terrain.Layer.everywhere("ground"))));
+                .withTerrains(List.of(TestTerrain.said("t", "map.r16", Terrain.Layer.everywhere("ground"))));
         Function<Vec3, Vec3> light = p -> new Vec3(0.7 + 0.005 * p.x(), 0.6 + 0.004 * p.z(), 0.6);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = View.lookAt(
@@ -245,8 +243,7 @@ class BakedLightGlTest {
                     new Vec3(3, 0, 4),
                     new Vec3(0, 0, -1),
                     new Projection(Math.PI / 2, 1, 0.05, 1000));
-            Scene scene =
-                    Scene.of(PlacedLevel.of(level, assets), light(level, assets, SkyLight.BAKED, light));
+            Scene scene = Scene.of(PlacedLevel.of(level, assets), light(level, assets, SkyLight.BAKED, light));
             try (Renderer renderer =
                     LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, Quality.HIGH))) {
                 renderer.draw(view, offscreen.picture);
@@ -269,7 +266,8 @@ class BakedLightGlTest {
         PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
         BakedLight light = light(level, TestAssets.NONE, SkyLight.BAKED, LINEAR);
         BakedLight other = new BakedLight(
-                light.visibility(), light(level, TestAssets.NONE, SkyLight.BAKED, EVEN).indirect());
+                light.visibility(),
+                light(level, TestAssets.NONE, SkyLight.BAKED, EVEN).indirect());
         RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, light), settings);
@@ -311,16 +309,14 @@ class BakedLightGlTest {
             assertRadiance(sum, picture(offscreen, level, light, Quality.HIGH), 300, ROUNDING);
         }
         assertTrue(plan(placed, light, Quality.HIGH).containsAll(List.of("shadow.sun", "baked-light")));
-        assertEquals(
-                List.of("baked-light", "solid", "tonemap"),
-                plan(placed, light, baked));
+        assertEquals(List.of("baked-light", "solid", "tonemap"), plan(placed, light, baked));
         assertFalse(plan(placed, null, baked).contains("baked-light"));
         assertEquals(plan(placed, null, Quality.HIGH), plan(placed, null, baked));
     }
 
     private static List<String> plan(PlacedLevel placed, BakedLight light, Quality quality) {
-        var request = FrameRequest.of(
-                placed.level(), placed.statics(), light, Output.HDR, quality, CharacterPresence.NEVER);
+        var request =
+                FrameRequest.of(placed.level(), placed.statics(), light, Output.HDR, quality, CharacterPresence.NEVER);
         return FramePlan.of(request).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())

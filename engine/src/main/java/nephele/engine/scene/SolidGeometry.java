@@ -71,7 +71,11 @@ public final class SolidGeometry {
     }
 
     private SolidGeometry(
-            StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut, SolidGeometry before) {
+            StaticShapes statics,
+            SceneMaterials materials,
+            SkyVisibility sky,
+            FaceFragments cut,
+            SolidGeometry before) {
         boolean isUnderOldSky = before != null && before.sky == sky;
         boolean hasOldModels = isUnderOldSky && before.statics.models() == statics.models();
         this.statics = statics;
@@ -79,9 +83,7 @@ public final class SolidGeometry {
         this.sky = sky;
         FaceFragments parts = sky == null ? whole(statics, before) : cut;
         drawn = hasOldModels ? statics.with(before.drawn.models()) : drawn(statics, sky);
-        skyOfModels = hasOldModels
-                ? before.skyOfModels
-                : sky == null ? null : sky.ofModels(drawn.models());
+        skyOfModels = hasOldModels ? before.skyOfModels : sky == null ? null : sky.ofModels(drawn.models());
         List<StaticShape> shapes = drawn.all();
         List<Aabb> boxes = shapes.stream().map(StaticShape::bounds).toList();
         index = before == null ? SpatialIndex.of(boxes) : before.index.edited(boxes);
@@ -91,9 +93,7 @@ public final class SolidGeometry {
         boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
         light = sky == null
                 ? null
-                : isUnderOldSky
-                        ? before.light.edited(drawn.solids())
-                        : new LightMapLookup(sky, drawn.solids());
+                : isUnderOldSky ? before.light.edited(drawn.solids()) : new LightMapLookup(sky, drawn.solids());
         SolidGeometry copied = isAtOldPlace ? before : null;
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
@@ -185,7 +185,8 @@ public final class SolidGeometry {
     }
 
     /** Returns the geometry of an edited level, or this object if nothing drawn has changed. */
-    SolidGeometry edited(StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
+    SolidGeometry edited(
+            StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
         boolean isSame = others == statics
                 && otherSky == sky
                 && (otherMaterials == materials

@@ -88,7 +88,9 @@ class PackedLightTest {
             LightSamples samples = LightSamples.black(1);
             // A sky of radiance 1 - beam, and a beam whose radiance times solid angle / π is beam.
             double[] moments = {
-                beam / 4 * towards.x(), (1 - beam) / 4 + beam / 4 * towards.y(), beam / 4 * towards.z(),
+                beam / 4 * towards.x(),
+                (1 - beam) / 4 + beam / 4 * towards.y(),
+                beam / 4 * towards.z(),
                 (1 - beam) / 2 + beam / 4
             };
             for (int c = 0; c < 4; c++) {

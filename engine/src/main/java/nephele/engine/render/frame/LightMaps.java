@@ -50,8 +50,8 @@ public record LightMaps(
         boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
         boolean lamps = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
         boolean sun = LightRequirements.sunShadow(level, statics);
-        boolean sunCasts = LightRequirements.sun(level)
-                && level.environment().sun().castsShadow();
+        boolean sunCasts =
+                LightRequirements.sun(level) && level.environment().sun().castsShadow();
         // The maps of the static geometry are drawn once, so that what moves may have its shade.
         boolean othersAreLit = moving
                 || !level.billboards().isEmpty()

@@ -47,7 +47,10 @@ public final class SummedLight {
         scene = context.scene();
         LightMaps maps = context.request().lightMaps();
         BakedLight light = scene.light();
-        var key = new Key(new Identity(light.indirect()), maps.bakes(LightMaps.Baked.DIRECT), maps.bakes(LightMaps.Baked.DIRECTIONS));
+        var key = new Key(
+                new Identity(light.indirect()),
+                maps.bakes(LightMaps.Baked.DIRECT),
+                maps.bakes(LightMaps.Baked.DIRECTIONS));
         shared = context.share(Textures.class, key, () -> new Textures(context.gl(), light, key));
         boolean isWithoutModels = scene.solids().models().isEmpty();
         models = isWithoutModels ? null : context.own(BufferTexture.changingIntegers(context.gl(), "light of models"));
@@ -161,9 +164,8 @@ public final class SummedLight {
         }
 
         private void upload(Texture to, PackedLight packed) {
-            for (int[] words : hasDirections
-                    ? List.of(packed.radiance(), packed.direction())
-                    : List.of(packed.radiance())) {
+            for (int[] words :
+                    hasDirections ? List.of(packed.radiance(), packed.direction()) : List.of(packed.radiance())) {
                 ByteBuffer bytes = MemoryUtil.memAlloc(Integer.BYTES * words.length);
                 bytes.asIntBuffer().put(words);
                 to.upload(words == packed.radiance() ? 0 : 1, bytes);

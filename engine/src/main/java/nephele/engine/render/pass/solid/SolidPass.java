@@ -37,7 +37,12 @@ import nephele.engine.scene.light.LightRequirements;
 /** Draws solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy)
-            .using(SolidMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE, SummedLight.RESOURCE);
+            .using(
+                    SolidMesh.RESOURCE,
+                    PictureArrays.COLOURS,
+                    PictureArrays.NORMALS,
+                    SurfaceLight.RESOURCE,
+                    SummedLight.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 

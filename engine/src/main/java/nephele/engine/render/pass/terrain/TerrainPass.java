@@ -25,7 +25,12 @@ import nephele.engine.render.resource.TerrainMesh;
 /** Draws terrains, with all their triangles or with as many as the view needs. */
 public final class TerrainPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy)
-            .using(TerrainMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE, SummedLight.RESOURCE);
+            .using(
+                    TerrainMesh.RESOURCE,
+                    PictureArrays.COLOURS,
+                    PictureArrays.NORMALS,
+                    SurfaceLight.RESOURCE,
+                    SummedLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;
