@@ -90,6 +90,6 @@ public record PackedLight(int[] radiance, int[] direction) {
         double facing = r > 1e-4 ? d.dot(n) / r : 0;
         double p = 1 + 2 * r;
         double even = (1 - r) / (1 + r);
-        return even + (1 - even) * (p + 1) * Math.pow(0.5 + 0.5 * facing, p);
+        return even + (1 - even) * (p + 1) * Math.pow(Math.max(0.5 + 0.5 * facing, 0), p);
     }
 }
