@@ -101,6 +101,11 @@ final class Illumination {
         return surface.reflected(all, all);
     }
 
+    /** Returns the unit direction; meaningless without a sun. */
+    Vector3dc towardsSun() {
+        return towardsSun;
+    }
+
     /** Returns the sun if it casts shadows. */
     List<DistantLight> castingSun() {
         return sun != null && sun.castsShadow()
