@@ -27,6 +27,9 @@ public final class GatherRays {
 
     private final Sources sources;
     private final Vector3d arriving = new Vector3d();
+    /** The share of the light of the ray's end that arrives. */
+    private final Vector3d passed = new Vector3d();
+
     private final Vector3d emitted = new Vector3d();
     private final Vector3d reflectance = new Vector3d();
     private final Vector3d towards = new Vector3d();
@@ -52,12 +55,12 @@ public final class GatherRays {
         OTHER
     }
 
-    GatherRays(TracedLevel level, Sources sources, SkyPanorama panorama, Shafts.ShadowRays shadows) {
+    GatherRays(TracedLevel level, EyePath path, Sources sources, SkyPanorama panorama, Shafts.ShadowRays shadows) {
         this.level = level;
+        this.path = path;
         this.panorama = panorama;
         this.sources = sources;
         this.shadows = shadows;
-        path = level.path(false);
         clouds = sources == Sources.ALL && panorama == null ? level.cloudSight().orElse(null) : null;
     }
 
@@ -77,26 +80,26 @@ public final class GatherRays {
             return End.OPEN;
         }
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
+        arriving.zero();
+        passed.set(path.tint());
+        if (cloud != null || path.metres() > AIRLESS_METRES) {
+            PathAir air = level.air(cloud == null ? path.partsToEnd() : cloud.parts(), random);
+            arriving.set(sources == Sources.ALL ? air.added() : new Vector3d());
+            passed.set(air.passed());
+        }
         if (cloud != null) {
-            arriving.set(level.fromCloud(cloud, clouds, path, random));
+            arriving.add(clouds.radiance(cloud, random).mul(passed));
             return End.OPEN;
         }
         if (!isMet) {
-            arriving.set(
-                    sources == Sources.ALL && level.light().isSkyLight()
-                            ? level.fromSky(path, random)
-                            : new Vector3d());
+            if (sources == Sources.ALL && level.light().isSkyLight()) {
+                arriving.add(level.sky(path.lastSegment()).mul(passed));
+            }
             return End.OPEN;
         }
         place = path.ray().at(path.end());
         surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
                 .reciprocal();
-        boolean isNear = path.metres() < AIRLESS_METRES;
-        Vector3d passed = isNear ? level.fogTransmittance(path) : level.transmittance(place, path);
-        arriving.set(
-                sources == Sources.LAMPS
-                        ? new Vector3d()
-                        : isNear ? level.fromFog(path) : level.arriving(new Vector3d(), place, path, random));
         emitted.set(surface.emission().toVector()).mul(passed);
         reflectance
                 .set(

@@ -1,12 +1,9 @@
 package nephele.engine.reference;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -29,13 +26,14 @@ public final class SkyPanorama {
         SkyPanorama sky = new SkyPanorama();
         int samples = level.hasClouds() ? CLOUDED_SAMPLES : 1;
         IntStream.range(0, 6 * SIDE).parallel().forEach(row -> {
-            OpenSky open = new OpenSky(level, eye);
+            GatherRays open = level.skyRays();
             for (int column = 0; column < SIDE; column++) {
                 int texel = row * SIDE + column;
                 SplittableRandom random = new SplittableRandom(Hash64.combine(texel, samples));
                 Vector3d sum = new Vector3d();
                 for (int i = 0; i < samples; i++) {
-                    sum.add(open.radiance(direction(texel), random));
+                    open.trace(eye.toVector(), direction(texel), random);
+                    sum.add(open.arriving());
                 }
                 for (int channel = 0; channel < 3; channel++) {
                     sky.radiance[3 * texel + channel] = (float) (sum.get(channel) / samples);
@@ -43,28 +41,6 @@ public final class SkyPanorama {
             }
         });
         return sky;
-    }
-
-    /** Finds the sky's radiance as if the level had no surfaces. */
-    private static final class OpenSky {
-        private final TracedLevel level;
-        private final Vector3dc eye;
-        private final EyePath path;
-        private final CloudSight clouds;
-
-        OpenSky(TracedLevel level, Vec3 eye) {
-            this.level = level;
-            this.eye = eye.toVector();
-            var nothing = new TracedItems(StaticShapes.of(List.of()), List.of(), 0, List.of(), List.of());
-            path = new EyePath(nothing, Portals.NONE, FaceMaterials.NONE);
-            clouds = level.cloudSight().orElse(null);
-        }
-
-        Vector3d radiance(Vector3dc direction, SplittableRandom random) {
-            path.trace(eye, direction, 0, Double.POSITIVE_INFINITY);
-            CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
-            return cloud == null ? level.fromSky(path, random) : level.fromCloud(cloud, clouds, path, random);
-        }
     }
 
     /** Returns the direction through the middle of a texel. */
