@@ -51,7 +51,10 @@ public final class LightBake {
     private static final int MOST_OTHERS = 8;
 
     /** The share of the level's mean below which a receiver's error is absolute. */
-    private static final double DIM = 0.25;
+    private static final double DIM = 0.05;
+
+    /** The multiple of the level's mean above which a receiver's error is absolute. */
+    private static final double BRIGHT = 1.5;
 
     /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions (Roberts 2018). */
     private static final double STEP_ROOT = 1.32471795724474602596;
@@ -83,7 +86,7 @@ public final class LightBake {
      * @param mostRays the most rays of a receiver, of all groups together
      */
     public record Settings(double error, int mostRays) {
-        public static final Settings USUAL = new Settings(0.02, 2048);
+        public static final Settings USUAL = new Settings(0.03, 2048);
 
         /** Returns these settings for another error, with as many more or fewer rays as it takes. */
         public Settings withError(double other) {
@@ -222,6 +225,16 @@ public final class LightBake {
                 errors[first + i] = values[i * (length + 1) + length];
             }
         });
+        float[] filtered = new NoiseFilter(receivers, length, indirect, absolute()).filtered();
+        System.arraycopy(filtered, 0, indirect, 0, filtered.length);
+    }
+
+    private float[] absolute() {
+        float[] absolute = errors.clone();
+        for (int i = 0; i < absolute.length; i++) {
+            absolute[i] *= (float) mean;
+        }
+        return absolute;
     }
 
     /** Runs both parts of the bake. */
@@ -446,7 +459,7 @@ public final class LightBake {
         for (Gathered group : groups) {
             sum += group.luminance() / (rays * GROUPS);
         }
-        double asked = settings.error() * Math.max(sum, DIM * mean);
+        double asked = settings.error() * Math.max(DIM * mean, Math.min(sum, BRIGHT * mean));
         return asked == 0 ? 0 : standardError(groups, rays) / asked;
     }
 
