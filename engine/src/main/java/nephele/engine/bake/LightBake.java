@@ -78,6 +78,12 @@ public final class LightBake {
      */
     public record Settings(double error, int mostRays) {
         public static final Settings USUAL = new Settings(0.02, 2048);
+
+        /** Returns these settings for another error, with as many more or fewer rays as it takes. */
+        public Settings withError(double other) {
+            double rays = mostRays * (error / other) * (error / other);
+            return new Settings(other, (int) Math.max(GROUPS * ROUND, Math.min(rays, 1 << 20)));
+        }
     }
 
     /** A store of finished blocks; called from several threads. */
@@ -333,7 +339,7 @@ public final class LightBake {
         if (end != GatherRays.End.OPEN) {
             reflection.add(end, ray, direction, cosine, to);
         }
-        if (ray.hasEmissiveFaces()) {
+        if (ray.hasEmissive()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }
