@@ -247,6 +247,11 @@ public final class SurfaceLight {
                 .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
 
+    /** Adds the define for what has no place in the light map and is lit by probes or as they are. */
+    public Defines addBounced(Defines defines) {
+        return defines.withIf(LightRequirements.bounces(scene.light()), "BOUNCED_LIGHT");
+    }
+
     private Defines addLights(Defines defines) {
         return addStaticLights(dynamicShadows.addTo(defines));
     }

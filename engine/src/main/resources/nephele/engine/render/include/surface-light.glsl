@@ -1,7 +1,7 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
-// faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
+// faces; BOUNCED_LIGHT: light of other surfaces on moving things and billboards; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
 // as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 struct Surface {
@@ -24,6 +24,12 @@ struct Surface {
 #ifdef SKY_AMBIENT
     float skyVisibility;  // 0 to 1
 #endif
+#ifdef BOUNCED_LIGHT
+    vec3 bounced;  // radiance of a white surface that only other surfaces light
+#ifdef METALLIC_ROUGHNESS
+    vec3 bouncedMirrored;  // the same, facing the mirrored direction
+#endif
+#endif
 };
 
 #ifdef METALLIC_ROUGHNESS
@@ -32,7 +38,7 @@ struct Surface {
 const float PI = 3.14159265;
 #endif
 
-#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(FLASH)
+#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(BOUNCED_LIGHT) || defined(FLASH)
 #include "light.glsl"
 #endif
 #if defined(SUN_SHADOW) || defined(LIGHT_SHADOW) || defined(DYNAMIC_SUN_SHADOW)
@@ -175,15 +181,24 @@ vec3 allLights(REFLECTANCE r, Surface s) {
 
 // Ambient light. A rough approximation of reflection: the sky's irradiance in the mirrored direction, which is right
 // for matt metal and too blurred for polished metal.
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(BOUNCED_LIGHT)
 vec3 ambientLight(REFLECTANCE r, Surface s) {
 #ifdef AMBIENT_CONSTANT
     vec3 diffuse = ambientRadiance;
     vec3 mirrored = ambientRadiance;
-#else
+#elif defined(SKY_AMBIENT)
     vec3 diffuse = skyAmbient(s.normal) * s.skyVisibility;
 #ifdef METALLIC_ROUGHNESS
     vec3 mirrored = skyAmbient(reflect(-s.toEye, s.normal)) * s.skyVisibility;
+#endif
+#else
+    vec3 diffuse = vec3(0.0);
+    vec3 mirrored = vec3(0.0);
+#endif
+#ifdef BOUNCED_LIGHT
+    diffuse += s.bounced;
+#ifdef METALLIC_ROUGHNESS
+    mirrored += s.bouncedMirrored;
 #endif
 #endif
 #ifdef METALLIC_ROUGHNESS
@@ -205,7 +220,7 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 vec3 surfaceRadiance(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(BOUNCED_LIGHT)
     sum += ambientLight(r, s);
 #endif
 #ifdef LIGHT_PARTS
