@@ -134,8 +134,8 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(
-            SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
+    /** Adds the light of the sun. */
+    void addSun(SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
         if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
@@ -146,7 +146,8 @@ final class Illumination {
         }
     }
 
-    private void addLight(
+    /** Adds the light of a lamp. */
+    void addLight(
             int index,
             SurfacePoint surface,
             Vector3d origin,

@@ -7,11 +7,13 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.NightSky;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -105,6 +107,35 @@ public final class TracedLevel {
         var shadows = new Shafts.ShadowRays(rays, shafts);
         PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
+    }
+
+    /** Returns rays of a bake for one thread. */
+    public GatherRays gatherRays(GatherRays.Sources sources) {
+        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the lamps that emit anything, in the order of the level. */
+    public List<Light> lamps() {
+        return light.lamps().stream().map(PunctualLight::source).toList();
+    }
+
+    /** Returns the kind of an item at which a ray ends. */
+    GatherRays.End endOf(int item) {
+        return rays.endOf(item);
+    }
+
+    /** Returns the index of an item among those of its kind. */
+    int indexOf(int item) {
+        return rays.indexOf(item);
+    }
+
+    /** Returns the face of the solid at a path's end, or the triangle of the model. */
+    int partOf(EyePath path) {
+        TracedShape shape = rays.shape(path.item());
+        if (shape instanceof TracedSolid solid) {
+            return solid.face(path.ray());
+        }
+        return shape instanceof TriangleMeshShape mesh ? mesh.triangle(path.ray(), path.end()) : 0;
     }
 
     /** Returns a finder of paths for one thread. */

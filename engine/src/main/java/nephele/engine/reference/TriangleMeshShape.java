@@ -66,6 +66,13 @@ final class TriangleMeshShape implements TracedShape {
         return index.nearest(ray, Double.POSITIVE_INFINITY, (r, triangle, limit) -> entry(r, triangle, least), hit);
     }
 
+    /** Returns the triangle that a ray enters at a parameter. */
+    int triangle(Ray ray, double parameter) {
+        RayHit hit = new RayHit();
+        nearest(ray, parameter, hit);
+        return hit.item();
+    }
+
     private double entry(Ray ray, int triangle, double least) {
         double[] normals = mesh.faceNormals();
         double rate = normals[3 * triangle] * ray.directionX()
@@ -101,9 +108,7 @@ final class TriangleMeshShape implements TracedShape {
      */
     private SurfacePoint at(
             End end, UnaryOperator<Vec3> toWorld, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
-        RayHit hit = new RayHit();
-        nearest(end.ray(), end.parameter(), hit);
-        int triangle = hit.item();
+        int triangle = triangle(end.ray(), end.parameter());
         double[] weights = new double[3];
         RayTriangleIntersection.barycentricWeights(end.place(), corners, 9 * triangle, weights);
         Vector3d normal = new Vector3d();

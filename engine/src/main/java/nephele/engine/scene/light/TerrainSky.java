@@ -47,7 +47,7 @@ public final class TerrainSky {
         this.values = values;
     }
 
-    /** Returns the number of points along a side with so many cells. */
+    /** Returns the number of points along a side of so many cells. */
     public static int points(int cells) {
         return Math.min(cells + 1, MOST_POINTS);
     }
