@@ -8,20 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
-import nephele.engine.asset.TestAssets;
-import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.IndirectLight;
-import nephele.engine.scene.light.bake.LightMapChart;
-import nephele.engine.scene.light.bake.LightMapLayout;
-import nephele.engine.scene.light.bake.LightSamples;
-import nephele.engine.scene.light.bake.PolygonClipping;
-import nephele.engine.scene.light.bake.SkyVisibility;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -175,29 +166,9 @@ class BouncedLightTest {
                 .box("wall", new Vec3(0, 2.5, 0), new Vec3(0.1, 1, 1));
     }
 
-    /** Returns the probes of a level. @param light irradiance / π on a chart with this centre */
     private static SkyProbes probes(TestLevel level, Function<Vec3, Vec3> light) {
-        Level made = level.level();
-        PlacedLevel placed = PlacedLevel.of(made, TestAssets.NONE);
-        LightMapLayout layout = LightMapLayout.of(placed.statics().solids());
-        int texels = layout.width() * layout.height();
-        LightSamples samples = LightSamples.black(texels);
-        for (int i = 0; i < layout.charts().size(); i++) {
-            LightMapChart chart = layout.charts().get(i);
-            Vec3 rgb = light.apply(PolygonClipping.centroid(chart.outline()));
-            for (int texel = 0; texel < chart.columns() * chart.rows(); texel++) {
-                int row = layout.rowOf()[i] + texel / chart.columns();
-                int at = 3 * (row * layout.width() + layout.columnOf()[i] + texel % chart.columns());
-                samples.radiance()[at] = (float) rgb.x();
-                samples.radiance()[at + 1] = (float) rgb.y();
-                samples.radiance()[at + 2] = (float) rgb.z();
-            }
-        }
-        IndirectLight.Layer layer =
-                new IndirectLight.Layer("", IndirectLight.Course.INDIRECT, samples, LightSamples.black(0), List.of());
-        SkyVisibility open = new SkyVisibility(layout, placed.statics(), new short[texels], new short[0]);
-        BakedLight baked = new BakedLight(open, new IndirectLight(IndirectLight.SkyLight.BAKED, List.of(layer)));
-        Scene scene = Scene.of(placed, baked);
-        return new SkyProbes(placed.statics(), () -> new LitSurfaces(scene, layer));
+        Scene scene = FormulaLight.scene(level, light);
+        IndirectLight.Layer layer = scene.light().indirect().layers().get(0);
+        return new SkyProbes(scene.statics(), () -> new LitSurfaces(scene, layer));
     }
 }
