@@ -288,7 +288,7 @@ public final class LightBake {
         if (end != GatherRays.End.OPEN) {
             reflection.add(end, ray, direction, cosine, to);
         }
-        if (ray.hasEmissiveFaces()) {
+        if (ray.hasEmissive()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }

@@ -109,8 +109,8 @@ public final class GatherRays {
     }
 
     /** Returns true if {@link #emission} may find anything. */
-    public boolean hasEmissiveFaces() {
-        return !level.emissiveFaces().isEmpty();
+    public boolean hasEmissive() {
+        return !level.emissive().isEmpty();
     }
 
     /** Returns the place of the ray's end. */
@@ -159,12 +159,14 @@ public final class GatherRays {
     }
 
     /**
-     * Returns a random irradiance / π from one point of the emissive faces, weighted for rays whose density is the cosine
+     * Returns a random irradiance / π from one point of the emissive surfaces, weighted for rays whose density is the cosine
      * / π by the power heuristic (Veach 1997, section 9.2.4).
      */
     public Vector3d emission(Vec3 on, Vector3dc normal, SplittableRandom random) {
-        EmissiveFaces faces = level.emissiveFaces();
-        EmissiveFaces.Source source = faces.source(random);
+        EmissiveSurfaces.Source source = level.emissive().source(random);
+        if (source == null) {
+            return new Vector3d();
+        }
         SurfacePoint white = new SurfacePoint(-1, on, normal, normal, normal, WHITE, null, normal, Vec3.ZERO, false);
         Vector3d origin = Illumination.lifted(white);
         towards.set(source.place().toVector()).sub(origin);
@@ -184,7 +186,7 @@ public final class GatherRays {
     /** Returns the weight of {@link #emitted} beside {@link #emission}; the ray's density was its cosine / π. */
     public double emittedWeight(double cosine, Vector3dc origin) {
         double there = surface.faceNormal().dot(surface.toEye());
-        double perSquareMetre = path.pathHash() == 0 ? level.emissiveDensity(path) : 0;
+        double perSquareMetre = path.pathHash() == 0 ? level.emissive().density(path) : 0;
         if (perSquareMetre == 0 || there <= 0) {
             return 1;
         }

@@ -8,7 +8,7 @@ import org.joml.Vector3dc;
 
 /**
  * Follows light from a surface back to its sources: a random path over surfaces, with next-event estimation towards sun,
- * lamps and emissive faces at each of them. Emission that both the estimation and the path may find is weighted between
+ * lamps and emissive surfaces at each of them. Emission that both the estimation and the path may find is weighted between
  * the two by the power heuristic (Veach 1997, section 9.2.4); weak paths end by Russian roulette, whose survivors are
  * strengthened, so that no number of bounces is the greatest. Use one per thread.
  */
@@ -25,10 +25,12 @@ final class PathIntegrator {
     private final LightThroughPortals throughPortals;
 
     private final int mostBounces;
+    private final Estimation estimation;
     private final Vector3d weight = new Vector3d();
     private final Vector3d sum = new Vector3d();
 
-    PathIntegrator(TracedLevel level, LightTransport transport, Shafts.ShadowRays shadows) {
+    PathIntegrator(TracedLevel level, LightTransport transport, Shafts.ShadowRays shadows, Estimation estimation) {
+        this.estimation = estimation;
         this.level = level;
         this.shadows = shadows;
         mostBounces = transport.bounces();
@@ -50,7 +52,7 @@ final class PathIntegrator {
             if (throughPortals != null) {
                 addReflected(throughPortals.radiance(surface, random));
             }
-            addEmissiveFace(surface, random);
+            addEmissive(surface, random);
             SurfacePoint beyond = next(surface, bounce, sample);
             surface = bounce == mostBounces ? null : beyond;
         }
@@ -65,13 +67,13 @@ final class PathIntegrator {
         sum.add(radiance.mul(weight));
     }
 
-    /** Adds the light of a random point of the emissive faces. */
-    private void addEmissiveFace(SurfacePoint surface, SplittableRandom random) {
-        EmissiveFaces faces = level.emissiveFaces();
-        if (faces.isEmpty()) {
+    /** Adds the light of a random place of the emissive surfaces. */
+    private void addEmissive(SurfacePoint surface, SplittableRandom random) {
+        EmissiveSurfaces emissive = level.emissive();
+        EmissiveSurfaces.Source source = emissive.isEmpty() ? null : emissive.source(random);
+        if (source == null) {
             return;
         }
-        EmissiveFaces.Source source = faces.source(random);
         Vector3d origin = Illumination.lifted(surface);
         Vector3d towards = source.place().toVector().sub(origin);
         double distance = towards.length();
@@ -85,14 +87,31 @@ final class PathIntegrator {
             return;
         }
         double density = source.density() * distance * distance / cosine;
-        double ofSource = powerHeuristic(density, new BrdfSampling(surface).density(towards));
+        double weighted = estimation.ofAimed(density, new BrdfSampling(surface).density(towards));
         double passed = level.light().passedByClouds(origin, towards, distance, random);
-        addReflected(reflected.mul(source.radiance().toVector()).mul(ofSource * passed / density));
+        addReflected(reflected.mul(source.radiance().toVector()).mul(weighted * passed / density));
     }
 
-    private static double powerHeuristic(double density, double other) {
-        double ratio = other / density;
-        return 1 / (1 + ratio * ratio);
+    /** The rays that count towards what both a ray aimed at it and the path itself may meet; all have the same mean. */
+    enum Estimation {
+        AIMED,
+        MET,
+        BOTH;
+
+        /** Returns the weight of what an aimed ray meets, by its density and the path's. */
+        double ofAimed(double density, double ofPath) {
+            return this == BOTH ? powerHeuristic(density, ofPath) : this == AIMED ? 1 : 0;
+        }
+
+        /** Returns the weight of what the path meets, by its density and that of rays aimed there. */
+        double ofMet(double density, double ofAimed) {
+            return ofAimed == 0 ? 1 : 1 - ofAimed(ofAimed, density);
+        }
+
+        private static double powerHeuristic(double density, double other) {
+            double ratio = other / density;
+            return 1 / (1 + ratio * ratio);
+        }
     }
 
     private static double sum(Vector3dc v) {
@@ -159,14 +178,14 @@ final class PathIntegrator {
         return surface;
     }
 
-    /** Returns the weight of emission that the path itself meets, beside that of {@link #addEmissiveFace}. */
+    /** Returns the weight of emission that the path itself meets, beside that of {@link #addEmissive}. */
     private double emissionWeight(SurfacePoint from, SurfacePoint surface, double density) {
-        double perSquareMetre = path.pathHash() == 0 ? level.emissiveDensity(path) : 0;
+        double perSquareMetre = path.pathHash() == 0 ? level.emissive().density(path) : 0;
         double cosine = surface.faceNormal().dot(surface.toEye());
         if (perSquareMetre == 0 || cosine <= 0) {
             return 1;
         }
         double distance = surface.place().minus(from.place()).length();
-        return powerHeuristic(density, perSquareMetre * distance * distance / cosine);
+        return estimation.ofMet(density, perSquareMetre * distance * distance / cosine);
     }
 }

@@ -79,6 +79,10 @@ final class TracedItems {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 
+    int count() {
+        return items.length;
+    }
+
     TracedShape shape(int item) {
         return items[item];
     }

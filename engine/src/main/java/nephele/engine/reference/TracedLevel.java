@@ -39,7 +39,7 @@ public final class TracedLevel {
     private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
-    private final EmissiveFaces emissive;
+    private final EmissiveSurfaces emissive;
     private final Optional<SunDisc> disc;
     /** Its horizon is that of y = 0. */
     private final Optional<NightSky> night;
@@ -60,7 +60,7 @@ public final class TracedLevel {
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
                 FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
-        emissive = new EmissiveFaces(statics.solids(), textures);
+        emissive = new EmissiveSurfaces(rays, looks);
         disc = SunDisc.of(level.environment());
         night = night(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
@@ -104,8 +104,13 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye, LightTransport transport) {
+        return tracer(eye, transport, PathIntegrator.Estimation.BOTH);
+    }
+
+    Tracer tracer(Pinhole eye, LightTransport transport, PathIntegrator.Estimation estimation) {
         var shadows = new Shafts.ShadowRays(rays, shafts);
-        PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
+        PathIntegrator bounced =
+                transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows, estimation);
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
@@ -148,15 +153,8 @@ public final class TracedLevel {
         return portals;
     }
 
-    EmissiveFaces emissiveFaces() {
+    EmissiveSurfaces emissive() {
         return emissive;
-    }
-
-    /** Returns the density per square metre with which the emissive face at a path's end is chosen as a source. */
-    double emissiveDensity(EyePath path) {
-        return rays.isSolid(path.item())
-                ? emissive.density(path.item(), ((TracedSolid) rays.shape(path.item())).face(path.ray()))
-                : 0;
     }
 
     public boolean hasClouds() {

@@ -18,8 +18,8 @@ import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.LightCache;
 import nephele.engine.scene.light.bake.SkyVisibility;
-import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.scene.light.bake.SkyVisibilityFile;
 import nephele.host.named.LevelCatalogue;
 
@@ -35,7 +35,7 @@ public final class SkyVisibilityBaker {
      */
     public static List<String> bake(Path levelFile, DoubleConsumer progress) throws IOException {
         Path folder = levelFile.toAbsolutePath().getParent();
-        Path baked = folder.resolve(SkyVisibilityCache.SHIPPED);
+        Path baked = folder.resolve(LightCache.SHIPPED);
         Optional<String> name = fileNameFor(levelFile);
         List<String> reported = new ArrayList<>();
         if (name.isEmpty()) {

@@ -27,10 +27,17 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
 
     /** Returns the visibility before any bake: 1 everywhere. */
     public static SkyVisibility open() {
-        LightMapLayout layout = LightMapLayout.of(List.of());
+        return even(StaticShapes.of(List.of()), true);
+    }
+
+    /** Returns the visibility of a level for which none is baked, because no sky shines or only terrain is lit. */
+    public static SkyVisibility even(StaticShapes statics, boolean isOpen) {
+        LightMapLayout layout = LightMapLayout.of(statics.solids());
         short[] texels = new short[layout.width() * layout.height()];
-        Arrays.fill(texels, ALL);
-        return new SkyVisibility(layout, StaticShapes.of(List.of()), texels, new short[0]);
+        short[] ofModels = new short[statics.models().vertexCount()];
+        Arrays.fill(texels, isOpen ? ALL : 0);
+        Arrays.fill(ofModels, isOpen ? ALL : 0);
+        return new SkyVisibility(layout, statics, texels, ofModels);
     }
 
     /**
