@@ -8,7 +8,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.FormulaLight;
+import nephele.engine.scene.probe.FormulaLight;
 import org.junit.jupiter.api.Test;
 
 /** Moving things in rooms whose walls have baked light. */

@@ -27,7 +27,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 
 /** One level on the GPU, with the passes that it requires and no others. */
 public final class Renderer implements AutoCloseable {

@@ -17,7 +17,7 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.dynamic.DynamicInstances;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.dynamic.VisibleInstances;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.lwjgl.BufferUtils;
 
 /**

@@ -7,7 +7,7 @@ import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.FrameState.Posture;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 

@@ -38,7 +38,7 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 import nephele.engine.scene.dynamic.GunMesh;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 

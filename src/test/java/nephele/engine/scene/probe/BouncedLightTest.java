@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.scene.probe;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -169,6 +169,6 @@ class BouncedLightTest {
     private static SkyProbes probes(TestLevel level, Function<Vec3, Vec3> light) {
         Scene scene = FormulaLight.scene(level, light);
         IndirectLight.Layer layer = scene.light().indirect().layers().get(0);
-        return new SkyProbes(scene.statics(), () -> new LitSurfaces(scene, layer));
+        return new SkyProbes(scene.statics(), () -> new LitSurfaces(scene, layer), SkyProbes.Sampling.USUAL);
     }
 }

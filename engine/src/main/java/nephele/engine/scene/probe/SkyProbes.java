@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.scene.probe;
 
 import java.util.Arrays;
 import java.util.function.Supplier;
@@ -21,11 +21,9 @@ public final class SkyProbes {
     /** Values at a position where light was baked: after the fractions, for each of their axes red, green and blue. */
     public static final int LIT_VALUES = 4 * VALUES;
 
-    private static final double SPACING_METRES = 0.5;
     /** Faces of levels are at whole and half metres; no lattice point should be in them. */
     private static final double OFFSET_METRES = 0.137;
 
-    private static final int DIRECTIONS = 96;
     private static final float INSIDE = -1;
     private static final int NONE = -1;
 
@@ -54,7 +52,8 @@ public final class SkyProbes {
     private LitSurfaces surfaces;
 
     private final int values;
-    private final double[][] directions = evenly(DIRECTIONS);
+    private final double metres;
+    private final double[][] directions;
     private final double[] from = new double[3];
     private final double[] displacement = new double[3];
     private final Ray ray = Ray.reusable();
@@ -74,9 +73,24 @@ public final class SkyProbes {
     private boolean isCut = true;
     private boolean isComplete;
 
+    /**
+     * How finely the light around is sampled.
+     *
+     * @param metres spacing of the lattice
+     * @param rays of a lattice point
+     */
+    public record Sampling(double metres, int rays) {
+        public static final Sampling USUAL = new Sampling(0.5, 96);
+
+        /** Returns the usual sampling with another spacing. */
+        public static Sampling every(double metres) {
+            return new Sampling(metres, USUAL.rays);
+        }
+    }
+
     /** Makes the probes of a level without baked light. */
     public SkyProbes(StaticShapes statics) {
-        this(statics, null);
+        this(statics, null, Sampling.USUAL);
     }
 
     /**
@@ -84,9 +98,11 @@ public final class SkyProbes {
      *
      * @param light called on the first lookup; {@code null} without baked light
      */
-    public SkyProbes(StaticShapes statics, Supplier<LitSurfaces> light) {
+    public SkyProbes(StaticShapes statics, Supplier<LitSurfaces> light, Sampling sampling) {
         this.statics = statics;
         this.light = light;
+        metres = sampling.metres();
+        directions = evenly(sampling.rays());
         values = light == null ? VALUES : LIT_VALUES;
         sums = new double[values];
         here = new float[values];
@@ -113,7 +129,7 @@ public final class SkyProbes {
     }
 
     /** Returns unit directions evenly over the sphere (Vogel 1979). */
-    private static double[][] evenly(int count) {
+    static double[][] evenly(int count) {
         double[][] directions = new double[count][];
         for (int i = 0; i < count; i++) {
             double y = 1 - (2 * i + 1.0) / count;
@@ -146,10 +162,7 @@ public final class SkyProbes {
      * @return false if a lattice point was left out that a later frame computes
      */
     public boolean at(double x, double y, double z, float[] out, int at) {
-        if (occluders == null) {
-            surfaces = light == null ? null : light.get();
-            occluders = surfaces == null ? new Occluders(statics) : surfaces.occluders();
-        }
+        prepare();
         if (surfaces != null) {
             return mixLight(x, y, z, out, at);
         }
@@ -158,6 +171,22 @@ public final class SkyProbes {
             mix(x, y, z, false, out, at);
         }
         return true;
+    }
+
+    /** Writes the values at a position without a lattice, as {@link #at}. */
+    public void exactly(double x, double y, double z, float[] out, int at) {
+        prepare();
+        from[0] = x;
+        from[1] = y;
+        from[2] = z;
+        gather(out, at);
+    }
+
+    private void prepare() {
+        if (occluders == null) {
+            surfaces = light == null ? null : light.get();
+            occluders = surfaces == null ? new Occluders(statics) : surfaces.occluders();
+        }
     }
 
     private boolean mixLight(double x, double y, double z, float[] out, int at) {
@@ -188,9 +217,9 @@ public final class SkyProbes {
      */
     private double mix(double x, double y, double z, boolean onlyVisible, float[] out, int at) {
         double weights = 0;
-        double cellX = (x - OFFSET_METRES) / SPACING_METRES;
-        double cellY = (y - OFFSET_METRES) / SPACING_METRES;
-        double cellZ = (z - OFFSET_METRES) / SPACING_METRES;
+        double cellX = (x - OFFSET_METRES) / metres;
+        double cellY = (y - OFFSET_METRES) / metres;
+        double cellZ = (z - OFFSET_METRES) / metres;
         int nearest = surfaces == null ? 0 : upper(cellX) + 2 * upper(cellY) + 4 * upper(cellZ);
         Arrays.fill(out, at, at + values, 0);
         for (int number = 0; number < 8; number++) {
@@ -247,9 +276,9 @@ public final class SkyProbes {
 
     /** Returns true if nothing is between {@link #from} and a place in units of the lattice. */
     private boolean sees(double i, double j, double k) {
-        displacement[0] = i * SPACING_METRES + OFFSET_METRES - from[0];
-        displacement[1] = j * SPACING_METRES + OFFSET_METRES - from[1];
-        displacement[2] = k * SPACING_METRES + OFFSET_METRES - from[2];
+        displacement[0] = i * metres + OFFSET_METRES - from[0];
+        displacement[1] = j * metres + OFFSET_METRES - from[1];
+        displacement[2] = k * metres + OFFSET_METRES - from[2];
         ray.aim(from[0], from[1], from[2], displacement[0], displacement[1], displacement[2]);
         return !occluders.anyHit(ray, 1, meets);
     }
@@ -304,9 +333,9 @@ public final class SkyProbes {
     }
 
     private void find(int i, int j, int k, int place) {
-        from[0] = i * SPACING_METRES + OFFSET_METRES;
-        from[1] = j * SPACING_METRES + OFFSET_METRES;
-        from[2] = k * SPACING_METRES + OFFSET_METRES;
+        from[0] = i * metres + OFFSET_METRES;
+        from[1] = j * metres + OFFSET_METRES;
+        from[2] = k * metres + OFFSET_METRES;
         if (occluders.isInside(from, -1)) {
             known[values * place] = INSIDE;
             return;

@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.scene.probe;
 
 import java.util.Arrays;
 import java.util.IdentityHashMap;
@@ -13,13 +13,18 @@ import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.level.terrain.LayerPaint;
 import nephele.engine.level.terrain.TerrainLayers;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.math.heightfield.HeightFieldSurface;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.SceneMaterials;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.light.LightMapLookup;
+import nephele.engine.scene.light.TerrainSky;
 import nephele.engine.scene.light.bake.FaceFragment;
 import nephele.engine.scene.light.bake.IndirectLight;
 import nephele.engine.scene.light.bake.LightMapLayout;
@@ -113,6 +118,38 @@ public final class LitSurfaces {
         for (int channel = 0; channel < RGB; channel++) {
             rgb[channel] = rgb[channel] * reflectance[channel] + emission[channel];
         }
+    }
+
+    /**
+     * Writes the mean radiance that arrives at a point from all directions, RGB. Models that are drawn as impostors send and
+     * hide nothing: the point may be within one.
+     */
+    public void around(Vec3 place, int rays, float[] out, int at) {
+        double[][] directions = SkyProbes.evenly(rays);
+        double[] from = {place.x(), place.y(), place.z()};
+        double[] sum = new double[RGB];
+        double[] rgb = new double[RGB];
+        RayHit hit = new RayHit();
+        for (double[] d : directions) {
+            Ray ray = new Ray(from[0], from[1], from[2], d[0], d[1], d[2]);
+            ItemRayTest meets = (sight, item, limit) ->
+                    isImpostor(item) ? Double.POSITIVE_INFINITY : occluders.hit(item, from, d, limit);
+            if (occluders.nearest(ray, Double.MAX_VALUE, meets, hit)) {
+                leaving(hit.item(), occluders.faceOf(hit.item(), from, d), ray.at(hit.distance()), rgb);
+                for (int channel = 0; channel < RGB; channel++) {
+                    sum[channel] += rgb[channel] / rays;
+                }
+            }
+        }
+        for (int channel = 0; channel < RGB; channel++) {
+            out[at + channel] = (float) sum[channel];
+        }
+    }
+
+    private boolean isImpostor(int item) {
+        return !occluders.isSolid(item)
+                && occluders.shapeOf(item) instanceof StaticShape.TriangleMesh mesh
+                && mesh.model().authored().impostor();
     }
 
     /** Writes the irradiance / π at a point, RGB; parameters as of {@link #leaving}. */

@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.scene.probe;
 
 import java.util.List;
 import java.util.function.Function;
