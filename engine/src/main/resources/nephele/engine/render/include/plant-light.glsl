@@ -27,7 +27,7 @@ vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift
 #endif
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(BOUNCED_LIGHT)
+#ifdef AMBIENT
     // The sky's light is nearly linear in the normal.
     Surface open = s;
     open.normal = meanNormal;

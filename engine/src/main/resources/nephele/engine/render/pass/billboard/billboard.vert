@@ -57,7 +57,7 @@ const float BETWEEN_LEAVES = java(level.billboard.PlantedBillboards.BETWEEN_LEAV
 vec3 lightAt(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(BOUNCED_LIGHT)
+#ifdef AMBIENT
     sum += ambientLight(r, s);
 #endif
 #ifdef LIGHT_PARTS
