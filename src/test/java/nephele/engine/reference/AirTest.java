@@ -94,7 +94,8 @@ class AirTest {
         Vec3 along = new Vec3(0, 0, -1);
         AirLight all = new ClearSky(tables).along(1, along, sun, 1002);
         Vec3 once = new LightScatteredOnce(tables).upTo(1, along, sun, new double[] {1002})[0];
-        Vec3 wanted = glow.times(all.transmittance()).plus(all.radiance().minus(once).scaled(IRRADIANCE));
+        Vec3 wanted =
+                glow.times(all.transmittance()).plus(all.radiance().minus(once).scaled(IRRADIANCE));
         assertEquals(0, wanted.minus(new Vec3(seen[0], seen[1], seen[2])).length(), 1e-6, wanted + ", once " + once);
     }
 }
