@@ -34,6 +34,7 @@ import nephele.workshop.prove.geometry.SeparationProof;
 import nephele.workshop.prove.geometry.SkinProof;
 import nephele.workshop.prove.geometry.TerrainDetailProof;
 import nephele.workshop.prove.geometry.TerrainProof;
+import nephele.workshop.prove.picture.BakedLightProof;
 import nephele.workshop.prove.picture.LeaksProof;
 import nephele.workshop.prove.picture.MirrorsProof;
 import nephele.workshop.prove.picture.PortalIdsProof;
@@ -77,6 +78,7 @@ public final class Proofs {
             new MirrorsProof(),
             new ShadowEdgesProof(),
             new LeaksProof(),
+            new BakedLightProof(),
             new StandingOutProof(),
             new SceneCullingProof(),
             new RayProof(),
