@@ -125,7 +125,7 @@ public final class LightBake {
      */
     public record Error(double median, double percentile99) {}
 
-    private LightBake(PlacedLevel placed, Settings settings) {
+    private LightBake(PlacedLevel placed, Settings settings, LightMapLayout layout) {
         this.settings = settings;
         Level level = placed.level();
         StaticShapes statics = placed.statics().split(SkyVisibility.MODEL_EDGE_METRES);
@@ -134,7 +134,7 @@ public final class LightBake {
         sources = Daylight.moves(level.environment()) ? GatherRays.Sources.LAMPS : GatherRays.Sources.ALL;
         hasSun = level.environment().sun() != null && sources == GatherRays.Sources.ALL;
         panorama = sources == GatherRays.Sources.ALL ? panorama(level, statics.bounds()) : null;
-        receivers = new Receivers(LightMapLayout.of(statics.solids()), statics);
+        receivers = new Receivers(layout, statics);
         List<Light> lamps = traced.lamps();
         names = new ArrayList<>(List.of(""));
         layerOfLamp = new int[lamps.size()];
@@ -171,7 +171,12 @@ public final class LightBake {
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
     public static LightBake of(PlacedLevel placed, Settings settings) {
-        return new LightBake(placed, settings);
+        return of(placed, settings, LightMapLayout.of(placed.statics().solids()));
+    }
+
+    /** Prepares the bake of a level with texels of a layout of its solids. */
+    public static LightBake of(PlacedLevel placed, Settings settings, LightMapLayout layout) {
+        return new LightBake(placed, settings, layout);
     }
 
     /** Returns the number of blocks that a {@link Checkpoint} may hold. */
