@@ -73,11 +73,11 @@ public final class BakedLightSubjects {
             "lightTexels",
             new Trade.Text(
                     "Texels of baked light",
-                    "Half the size takes four times the texels, the memory and the time to bake. Shadows of sun and"
-                            + " lamps are drawn live here; what bounces is soft except in corners.",
+                    "Half the size takes four times the texels, the memory and the time to bake. The sky's"
+                            + " shadows and what bounces are soft except in corners.",
                     EXACT),
             List.of(),
-            ROOM,
+            "levels/samples/sky-visibility.json",
             1,
             List.of(
                     new Variant(Setting.of("0.5 m"), 0.5, "live", "on"),
