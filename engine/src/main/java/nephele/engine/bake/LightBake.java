@@ -198,6 +198,8 @@ public final class LightBake {
         boolean[] isFree = new boolean[receivers.count()];
         inParallel(done -> progress.accept(done / 4), (ray, block) -> gatherDirect(ray, block, isFree));
         receivers.standIn(isFree);
+        int length = Gathered.VALUES * names.size();
+        System.arraycopy(receivers.joined(direct, length), 0, direct, 0, direct.length);
         new BounceLinks(this).balance(done -> progress.accept(0.25 + 0.75 * done));
         double sum = 0;
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
@@ -268,7 +270,7 @@ public final class LightBake {
             }
         });
         float[] filtered = new NoiseFilter(receivers, length, indirect, absolute()).filtered();
-        System.arraycopy(filtered, 0, indirect, 0, filtered.length);
+        System.arraycopy(receivers.joined(filtered, length), 0, indirect, 0, filtered.length);
     }
 
     private float[] absolute() {
