@@ -97,16 +97,15 @@ final class BounceLinks {
         }
     }
 
-    /** Returns one of the corners, each with the probability of its weight. */
+    /** Returns one of the corners, each with the probability of its weight; −1 if all weights are 0. */
     private static int chosen(int[] corners, double[] weights, double at) {
         double left = at;
-        for (int i = 0; i < corners.length; i++) {
+        int last = -1;
+        for (int i = 0; i < corners.length && left >= 0; i++) {
             left -= weights[i];
-            if (left < 0) {
-                return corners[i];
-            }
+            last = weights[i] > 0 ? corners[i] : last;
         }
-        return corners[0];
+        return last;
     }
 
     private void keep(Vector3dc reflectance, int link) {
