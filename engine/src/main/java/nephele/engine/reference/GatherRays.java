@@ -73,7 +73,7 @@ public final class GatherRays {
         if (!isMet) {
             arriving.set(
                     sources == Sources.ALL && level.light().isSkyLight()
-                            ? level.fromSky(path, random)
+                            ? level.fromSkyToPath(path, random)
                             : new Vector3d());
             return End.OPEN;
         }

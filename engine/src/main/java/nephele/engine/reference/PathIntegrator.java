@@ -146,7 +146,7 @@ final class PathIntegrator {
     /** Adds the sky at the end of the path, without the sun's disc, which next-event estimation stands for. */
     private void addSky(SplittableRandom random) {
         if (level.light().isSkyLight()) {
-            addReflected(level.fromSky(path, random));
+            addReflected(level.fromSkyToPath(path, random));
         }
     }
 

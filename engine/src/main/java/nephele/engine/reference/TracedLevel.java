@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.BiFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Environment;
@@ -22,6 +23,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.reference.sky.LevelClouds;
 import nephele.engine.reference.sky.SkyCover;
+import nephele.engine.reference.sky.SkyOfPaths;
 import nephele.engine.reference.sky.SunDisc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -33,6 +35,7 @@ public final class TracedLevel {
     private final Illumination light;
     private final Shafts shafts;
     private final Optional<SkyRadiance> sky;
+    private final Optional<SkyOfPaths> skyOfPaths;
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
@@ -72,6 +75,7 @@ public final class TracedLevel {
                 level.environment().sun() != null && level.environment().sun().castsShadow();
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
+        skyOfPaths = SkyOfPaths.of(level.environment(), sky);
         exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
     }
@@ -201,10 +205,6 @@ public final class TracedLevel {
         return rays.shape(path.item()).at(path, place, toEye, looks);
     }
 
-    private Vector3d sky(double eyeHeight, Vector3dc away) {
-        return sky.map(all -> all.from(eyeHeight, away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
-    }
-
     ExitLight exits() {
         return exits;
     }
@@ -240,15 +240,6 @@ public final class TracedLevel {
         Vector3d arriving = air.get().over(radiance, place, direction.toVector(), metres);
         Vec3 eye = place.addScaled(-metres, direction);
         shade.ifPresent(all -> arriving.sub(all.taken(eye, direction, metres, random)));
-        return arriving;
-    }
-
-    /** Returns what an eye sees at a path's end where nothing is. */
-    Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
-        Vector3d away = new Vector3d(path.direction()).normalize();
-        Vector3d arriving = sky(eyeHeight, away);
-        shade.ifPresent(
-                all -> arriving.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
         return arriving;
     }
 
@@ -289,11 +280,25 @@ public final class TracedLevel {
                 .mul(path.tint());
     }
 
-    /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
+    /** Returns the sky's radiance as it arrives along a path of the eye that ends at nothing. */
     Vector3d fromSky(EyePath path, SplittableRandom random) {
-        Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
-        Vector3d radiance = throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
-        return mirrored(radiance, path.tint(), path.reflected());
+        return fromSky(path, random, (height, away) -> sky.map(all -> all.from(height, away.x(), away.y(), away.z()))
+                .orElseGet(Vector3d::new));
+    }
+
+    /** Returns a random radiance whose mean is that of {@link #fromSky}, for paths of light: a picture has many. */
+    Vector3d fromSkyToPath(EyePath path, SplittableRandom random) {
+        return fromSky(path, random, (height, away) -> skyOfPaths
+                .map(all -> all.radiance(height, away, random))
+                .orElseGet(Vector3d::new));
+    }
+
+    private Vector3d fromSky(EyePath path, SplittableRandom random, BiFunction<Double, Vec3, Vector3d> seen) {
+        EyePath.Segment last = path.lastSegment();
+        Vec3 away = Vec3.of(new Vector3d(path.direction()).normalize());
+        Vector3d arriving = seen.apply(last.origin().y(), away);
+        shade.ifPresent(all -> arriving.sub(all.taken(last.straightEye(), away, path.metres(), random)));
+        return mirrored(throughFog(arriving, last, Double.POSITIVE_INFINITY), path.tint(), path.reflected());
     }
 
     /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
