@@ -3,7 +3,6 @@ package nephele.engine.reference;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.function.BiFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Environment;
@@ -191,6 +190,19 @@ public final class TracedLevel {
                 all.media(), new CloudSight.LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
     }
 
+    /**
+     * Returns the light that clouds scatter towards paths of one thread; empty without clouds.
+     *
+     * @param passesPortals false if light meets the walls behind portals
+     */
+    Optional<CloudScattering> cloudScattering(boolean passesPortals) {
+        return clouds.map(all -> new CloudScattering(
+                all.media(),
+                new CloudSight.LevelSurroundings(
+                        all.open(), rays, passesPortals ? portals : Portals.NONE, sunCastsShadow),
+                light.lamps()));
+    }
+
     /** Returns an object for one thread that finds visible surfaces. */
     public VisibleSurface sight(Pinhole eye) {
         return new VisibleSurface(rays, new EyePath(rays, portals, looks.solids()), eye);
@@ -203,6 +215,10 @@ public final class TracedLevel {
     /** Returns the surface point at the end of a path. */
     SurfacePoint surface(EyePath path, Vec3 place, Vector3dc toEye) {
         return rays.shape(path.item()).at(path, place, toEye, looks);
+    }
+
+    private Vector3d sky(double eyeHeight, Vector3dc away) {
+        return sky.map(all -> all.from(eyeHeight, away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
     }
 
     ExitLight exits() {
@@ -243,6 +259,15 @@ public final class TracedLevel {
         return arriving;
     }
 
+    /** Returns what an eye sees at a path's end where nothing is. */
+    Vector3d sky(double eyeHeight, EyePath path, SplittableRandom random) {
+        Vector3d away = new Vector3d(path.direction()).normalize();
+        Vector3d arriving = sky(eyeHeight, away);
+        shade.ifPresent(
+                all -> arriving.sub(all.taken(path.lastSegment().straightEye(), Vec3.of(away), path.metres(), random)));
+        return arriving;
+    }
+
     /**
      * Returns the fraction of the light of a place that passes the air, for each channel.
      *
@@ -272,46 +297,72 @@ public final class TracedLevel {
         return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
     }
 
-    /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
-    Vector3d transmittance(Vec3 place, EyePath path) {
-        EyePath.Segment last = path.lastSegment();
-        return airTransmittance(place, last.direction(), path.metres())
-                .mul(fogTransmittance(last, path.metres()))
-                .mul(path.tint());
-    }
-
-    /** Returns the sky's radiance as it arrives along a path of the eye that ends at nothing. */
+    /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
     Vector3d fromSky(EyePath path, SplittableRandom random) {
-        return fromSky(path, random, (height, away) -> sky.map(all -> all.from(height, away.x(), away.y(), away.z()))
-                .orElseGet(Vector3d::new));
+        Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
+        Vector3d radiance = throughFog(seen, path.lastSegment(), Double.POSITIVE_INFINITY);
+        return mirrored(radiance, path.tint(), path.reflected());
     }
 
-    /** Returns a random radiance whose mean is that of {@link #fromSky}, for paths of light: a picture has many. */
-    Vector3d fromSkyToPath(EyePath path, SplittableRandom random) {
-        return fromSky(path, random, (height, away) -> skyOfPaths
-                .map(all -> all.radiance(height, away, random))
-                .orElseGet(Vector3d::new));
+    /** Returns the radiance of the sky, without sun and moon, where the last part of a path begins. */
+    Vector3d sky(EyePath.Segment last) {
+        return sky(last.origin().y(), last.direction().toVector());
     }
 
-    private Vector3d fromSky(EyePath path, SplittableRandom random, BiFunction<Double, Vec3, Vector3d> seen) {
-        EyePath.Segment last = path.lastSegment();
-        Vec3 away = Vec3.of(new Vector3d(path.direction()).normalize());
-        Vector3d arriving = seen.apply(last.origin().y(), away);
-        shade.ifPresent(all -> arriving.sub(all.taken(last.straightEye(), away, path.metres(), random)));
-        return mirrored(throughFog(arriving, last, Double.POSITIVE_INFINITY), path.tint(), path.reflected());
+    /** Returns a random radiance with the mean of {@link #sky(EyePath.Segment)}, for paths of light: a picture has many. */
+    Vector3d skyOfPath(EyePath.Segment last, SplittableRandom random) {
+        return skyOfPaths
+                .map(all -> all.radiance(last.origin().y(), last.direction(), random))
+                .orElseGet(Vector3d::new);
     }
 
-    /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
-    Vector3d fromDiscs(EyePath path) {
-        EyePath.Segment last = path.lastSegment();
+    /** Returns the radiance of the discs of sun and moon where the last part of a path begins. */
+    Vector3d discs(EyePath.Segment last) {
         Vec3 sunDisc = disc.map(
                         sun -> sun.towards(last.direction(), last.origin().y()))
                 .orElse(Vec3.ZERO);
         Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
-        return sunDisc.plus(moonDisc)
-                .toVector()
-                .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
-                .mul(path.tint());
+        return sunDisc.plus(moonDisc).toVector();
+    }
+
+    /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
+    PathAir air(List<EyePath.Segment> parts, SplittableRandom random) {
+        return PathAir.of(air, shade, parts, random);
+    }
+
+    /**
+     * Returns radiance as it arrives at an eye through air, each part's by its own place, and through fog and mirrors.
+     *
+     * @param radiance at the end of the parts; changed
+     * @param parts of the path up to there
+     * @param metres length of the path up to there; infinite for the sky
+     */
+    Vector3d arrivingByParts(
+            Vector3d radiance, EyePath path, List<EyePath.Segment> parts, double metres, SplittableRandom random) {
+        PathAir onWay = air(parts, random);
+        EyePath.Segment last = parts.get(parts.size() - 1);
+        Vector3d seen = radiance.mul(onWay.passed()).add(onWay.added()).mul(fogTransmittance(last, metres));
+        List<EyePath.Reflected> before = path.reflected().stream()
+                .filter(mirror -> parts.contains(mirror.before()))
+                .toList();
+        return seen.add(mirrored(throughFog(new Vector3d(), last, metres), last.tint(), before));
+    }
+
+    /**
+     * Returns the fraction of light that passes air, fog and mirrors to an eye.
+     *
+     * @param part of its path
+     * @param metres from the part's beginning
+     */
+    Vector3d attenuation(EyePath.Segment part, double metres) {
+        return airAttenuation(part, metres).mul(fogTransmittance(part, part.metresBefore() + metres));
+    }
+
+    /** Returns the fraction of light that passes air and mirrors, likewise. */
+    Vector3d airAttenuation(EyePath.Segment part, double metres) {
+        Vec3 place = part.origin().addScaled(metres, part.direction());
+        return airTransmittance(place, part.direction(), part.metresBefore() + metres)
+                .mul(part.tint());
     }
 
     /** Returns the radiance of a cloud's collision as it arrives along a path. */
