@@ -13,6 +13,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.tile.TiledPicture;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -96,6 +97,68 @@ class PathIntegratorTest {
         double error = Math.hypot(sky.error, roof.error);
         assertEquals(sky.value, roof.value, MOST_SIGMAS * error, sky + " and " + roof);
         assertTrue(error < 0.02 * sky.value, sky + " and " + roof);
+    }
+
+    /** A surface in the sun's light off a mirror has the sun's irradiance there once, times the mirror's colour. */
+    @Test
+    void aMirrorLightsWithTheSunOnce() {
+        Vec3 tint = new Vec3(0.9, 0.6, 0.3);
+        double albedo = 1e-3;
+        TestLevel level = new TestLevel()
+                .skyLight()
+                .castingSun(new Vec3(1, 2, 0), 5)
+                .material(new Material("mirror", tint, null, null, null, null, Vec3.ZERO, 1, true))
+                .material("wall", TestLevel.grey(albedo))
+                .box("mirror", new Vec3(0, -0.1, 0), new Vec3(2, 0.2, 2))
+                .box("wall", new Vec3(-1.1, 1.5, 0), new Vec3(0.2, 3, 2));
+        Pinhole eye = Traced.eye(new Vec3(3, 1, 0), new Vec3(-1, 1.2, 0), 0.01);
+        Mean mean = Mean.of(level, eye, 32, 1);
+        double once = albedo / Math.PI * 5 / Math.sqrt(5);
+        double wanted = once * (1 + (tint.x() + tint.y() + tint.z()) / 3);
+        assertEquals(wanted, mean.value, 2e-3 * wanted, mean.toString());
+    }
+
+    /** A quarter of a room between two mirrors is as bright as the whole room. */
+    @Test
+    void mirrorsLightAsTheRoomsInThemDo() {
+        TestLevel whole = symmetric(new TestLevel());
+        for (int x = -1; x <= 1; x += 2) {
+            for (int z = -1; z <= 1; z += 2) {
+                quarter(whole, x, z);
+            }
+        }
+        Vec3 white = TestLevel.grey(1);
+        TestLevel half = symmetric(new TestLevel())
+                .material(new Material("mirror", white, null, null, null, null, Vec3.ZERO, 1, true))
+                .box("mirror", new Vec3(-0.1, 0, 1), new Vec3(0.2, 3, 2))
+                .box("mirror", new Vec3(1, 0, -0.1), new Vec3(2, 3, 0.2));
+        quarter(half, 1, 1);
+        Pinhole eye = Traced.eye(new Vec3(0.5, 0.8, 0.4), new Vec3(2, -1.2, 1.6), 0.7);
+        Mean open = Mean.of(whole, eye, 160, 1);
+        Mean mirrored = Mean.of(half, eye, 160, 2);
+        double error = Math.hypot(open.error, mirrored.error);
+        assertEquals(open.value, mirrored.value, MOST_SIGMAS * error, open + " and " + mirrored);
+        assertTrue(error < 0.03 * open.value, open + " and " + mirrored);
+    }
+
+    private static TestLevel symmetric(TestLevel level) {
+        Material glow = new Material("glow", TestLevel.grey(0.2), null, null, null, null, new Vec3(6, 3, 1), 1);
+        return level.skyLight()
+                .sky(new Sky.Constant(new Vec3(0.4, 0.6, 1)))
+                .castingSun(new Vec3(0, 1, 0), 3)
+                .material("wall", new Vec3(0.8, 0.7, 0.5))
+                .material(glow);
+    }
+
+    /** Adds a quarter of a room around the origin with a hole in its roof. */
+    private static void quarter(TestLevel level, int x, int z) {
+        level.box("wall", new Vec3(x, -1.6, z), new Vec3(2, 0.2, 2))
+                .box("wall", new Vec3(2.1 * x, 0, 1.1 * z), new Vec3(0.2, 3.4, 2.2))
+                .box("wall", new Vec3(x, 0, 2.1 * z), new Vec3(2, 3.4, 0.2))
+                .box("wall", new Vec3(1.3 * x, 1.6, z), new Vec3(1.4, 0.2, 2))
+                .box("wall", new Vec3(0.3 * x, 1.6, 1.3 * z), new Vec3(0.6, 0.2, 1.4))
+                .box("glow", new Vec3(1.5 * x, -1.2, 0.8 * z), TestLevel.grey(0.3))
+                .light(new Light.Point("lamp" + x + z, new Vec3(x, 0.5, 1.2 * z), TestLevel.grey(2), 100, true));
     }
 
     /** A white room without a ceiling. */

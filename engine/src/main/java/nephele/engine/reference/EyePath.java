@@ -151,10 +151,15 @@ final class EyePath {
         Vector3d before = new Vector3d(tint);
         tint.mul(solids.mirrorTint(hit.item(), face).toVector());
         reflected.add(new Reflected(lastSegment(), before.sub(tint)));
-        pathHash = Hash64.combine(Hash64.combine(pathHash, ~hit.item()), face);
+        pathHash = hashOfMirror(pathHash, hit.item(), face);
         origin.set(ray.at(hit.distance()).toVector());
         new Reflection(Vec3.ZERO, solids.normal(hit.item(), face)).direction(direction);
         return true;
+    }
+
+    /** Returns the hash of a path that goes on to a mirror. */
+    static long hashOfMirror(long hash, int solid, int face) {
+        return Hash64.combine(Hash64.combine(hash, ~solid), face);
     }
 
     /** Returns the product of the tints of the mirrors on the path, linear RGB. */

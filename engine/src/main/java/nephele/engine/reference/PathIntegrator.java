@@ -26,8 +26,8 @@ final class PathIntegrator {
     private final CloudSight clouds;
     /** {@code null} without clouds. */
     private final CloudScattering scattering;
-    /** {@code null} if light passes no portals. */
-    private final LightThroughPortals throughPortals;
+
+    private final LightImages images;
 
     private final int mostBounces;
     private final Estimation estimation;
@@ -42,9 +42,7 @@ final class PathIntegrator {
         path = level.path(transport.passesPortals());
         clouds = level.cloudSight().orElse(null);
         scattering = level.cloudScattering(transport.passesPortals()).orElse(null);
-        throughPortals = transport.passesPortals()
-                ? new LightThroughPortals(level.portals(), level.path(true), level.light())
-                : null;
+        images = level.lightImages(transport.passesPortals());
     }
 
     /** Returns a random RGB radiance whose mean is what leaves the surface towards the eye. */
@@ -82,7 +80,7 @@ final class PathIntegrator {
         }
     }
 
-    /** Adds the light of sun, moon and lamps. */
+    /** Adds the light of sun, moon and lamps, and of their images. */
     private void addDirect(PathVertex at, PixelSample sample) {
         List<DistantLight> distant;
         if (at instanceof PathVertex.InCloud inCloud) {
@@ -92,9 +90,7 @@ final class PathIntegrator {
             addReflected(level.light().direct((SurfacePoint) at, shadows, sample));
             distant = level.light().castingSun();
         }
-        if (throughPortals != null) {
-            addReflected(throughPortals.radiance(at, distant, sample.random()));
-        }
+        addReflected(images.radiance(at, distant, sample.random()));
     }
 
     private static Vector3d emission(SurfacePoint surface) {

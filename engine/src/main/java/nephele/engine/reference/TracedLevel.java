@@ -151,9 +151,10 @@ public final class TracedLevel {
         return new EyePath(rays, passesPortals ? portals : Portals.NONE, looks.solids());
     }
 
-    /** Returns the portals that light passes. */
-    Portals portals() {
-        return portals;
+    /** Returns a finder of light through openings for one thread; without portals it is that off mirrors. */
+    LightImages lightImages(boolean passesPortals) {
+        return new LightImages(
+                passesPortals ? portals : Portals.NONE, looks.solids().mirrors(), path(passesPortals), light);
     }
 
     EmissiveSurfaces emissive() {
