@@ -174,7 +174,7 @@ final class PathIntegrator {
         if (!survives(turns, random)) {
             return null;
         }
-        boolean isMet = path.trace(from.rayOrigin(), direction, 0, Double.POSITIVE_INFINITY);
+        boolean isMet = path.leave(from, direction);
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
         List<Segment> parts = cloud == null ? path.partsToEnd() : cloud.parts();
         // Air within clouds is neither seen nor shaded; the sky as a cloud sees it contains that before it.

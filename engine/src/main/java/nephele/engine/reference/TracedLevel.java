@@ -106,15 +106,16 @@ public final class TracedLevel {
         return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
-    Tracer tracer(Pinhole eye, LightTransport transport) {
-        return tracer(eye, transport, PathIntegrator.Estimation.BOTH);
+    Tracer tracer(Pinhole eye, TraceSettings settings) {
+        return tracer(eye, settings, PathIntegrator.Estimation.BOTH);
     }
 
-    Tracer tracer(Pinhole eye, LightTransport transport, PathIntegrator.Estimation estimation) {
+    Tracer tracer(Pinhole eye, TraceSettings settings, PathIntegrator.Estimation estimation) {
+        LightTransport transport = settings.light();
         var shadows = new Shafts.ShadowRays(rays, shafts);
         PathIntegrator bounced =
                 transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows, estimation);
-        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
+        return new Tracer(this, eye, settings.width(), new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
     /** Returns rays of a bake for one thread. */
@@ -317,13 +318,18 @@ public final class TracedLevel {
                 .orElseGet(Vector3d::new);
     }
 
-    /** Returns the radiance of the discs of sun and moon where the last part of a path begins. */
-    Vector3d discs(EyePath.Segment last) {
+    /**
+     * Returns the radiance of the discs of sun and moon and of stars where the last part of a path begins.
+     *
+     * @param pixelRadians of the picture; a star fills about one
+     */
+    Vector3d discs(EyePath.Segment last, double pixelRadians) {
         Vec3 sunDisc = disc.map(
                         sun -> sun.towards(last.direction(), last.origin().y()))
                 .orElse(Vec3.ZERO);
-        Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
-        return sunDisc.plus(moonDisc).toVector();
+        Vec3 atNight = night.map(sky -> sky.moon(last.direction()).plus(sky.stars(last.direction(), pixelRadians)))
+                .orElse(Vec3.ZERO);
+        return sunDisc.plus(atNight).toVector();
     }
 
     /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
