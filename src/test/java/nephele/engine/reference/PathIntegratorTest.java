@@ -152,7 +152,7 @@ class PathIntegratorTest {
     @Test
     void starsShineAtNight() {
         Sky.Atmosphere sky = new Sky.Atmosphere(0.3, 1, 0.8, 1, 45, 172, 12, 0, 0.2666);
-        TestLevel level = new TestLevel().skyLight().sky(sky).castingSun(new Vec3(1, -0.4, 0), 1e5);
+        TestLevel level = new TestLevel().sky(sky).castingSun(new Vec3(1, -0.4, 0), 1e5);
         NightSky night = NightSky.of(sky, level.level().environment().sun(), 0).orElseThrow();
         Random random = new Random(2);
         Vec3 brightest = Vec3.ZERO;
@@ -184,11 +184,11 @@ class PathIntegratorTest {
                 .box("mirror", new Vec3(1, 0, -0.1), new Vec3(2, 3, 0.2));
         quarter(half, 1, 1);
         Pinhole eye = Traced.eye(new Vec3(0.5, 0.8, 0.4), new Vec3(2, -1.2, 1.6), 0.7);
-        Mean open = Mean.of(whole, eye, 160, 1);
-        Mean mirrored = Mean.of(half, eye, 160, 2);
+        Mean open = Mean.of(whole, eye, 96, 1);
+        Mean mirrored = Mean.of(half, eye, 96, 2);
         double error = Math.hypot(open.error, mirrored.error);
         assertEquals(open.value, mirrored.value, MOST_SIGMAS * error, open + " and " + mirrored);
-        assertTrue(error < 0.03 * open.value, open + " and " + mirrored);
+        assertTrue(error < 0.04 * open.value, open + " and " + mirrored);
     }
 
     private static TestLevel symmetric(TestLevel level) {
