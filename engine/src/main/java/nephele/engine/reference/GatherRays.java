@@ -96,7 +96,7 @@ public final class GatherRays {
         }
         if (!isMet) {
             if (sources == Sources.ALL && level.light().isSkyLight()) {
-                arriving.add(level.sky(path.lastSegment()).mul(passed));
+                arriving.add(level.skyOfPath(path.lastSegment(), random).mul(passed));
             }
             return End.OPEN;
         }

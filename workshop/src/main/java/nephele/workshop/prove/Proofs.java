@@ -42,6 +42,7 @@ import nephele.workshop.prove.picture.ShadowEdgesProof;
 import nephele.workshop.prove.picture.StandingOutProof;
 import nephele.workshop.prove.portals.ClosedRoomProof;
 import nephele.workshop.prove.portals.CrossingsProof;
+import nephele.workshop.prove.portals.DoorwayLightProof;
 import nephele.workshop.prove.portals.DoorwayWalkProof;
 import nephele.workshop.prove.portals.EyeCrossingsProof;
 import nephele.workshop.prove.portals.PlacementProof;
@@ -92,6 +93,7 @@ public final class Proofs {
             new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
+            new DoorwayLightProof(24, 24, 1024),
             new EditsProof(10, 8, EditedTown::baked),
             new CloudSlabsProof(),
             new CloudLawsProof(),
