@@ -121,9 +121,27 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
-    /** Returns rays of a bake for one thread. */
-    public GatherRays gatherRays(GatherRays.Sources sources) {
-        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    /**
+     * Returns rays of a bake for one thread.
+     *
+     * @param panorama the sky as one place sees it; {@code null} if each ray is to find the sky itself
+     */
+    public GatherRays gatherRays(GatherRays.Sources sources, SkyPanorama panorama) {
+        return new GatherRays(this, path(false), sources, panorama, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns rays that meet the sky and its clouds alone. */
+    GatherRays skyRays() {
+        var nothing = new TracedItems(StaticShapes.of(List.of()), List.of(), 0, List.of(), List.of());
+        EyePath open = new EyePath(nothing, Portals.NONE, FaceMaterials.NONE);
+        return new GatherRays(this, open, GatherRays.Sources.ALL, null, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the sky as a place sees it; empty if it costs no more to ask the sky itself, or is no light. */
+    public Optional<SkyPanorama> panorama(Vec3 eye) {
+        return light.isSkyLight() && (air.isPresent() || clouds.isPresent())
+                ? Optional.of(SkyPanorama.of(this, eye))
+                : Optional.empty();
     }
 
     /** Returns the lamps that emit anything, in the order of the level. */
