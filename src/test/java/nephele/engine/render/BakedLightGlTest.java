@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
@@ -208,6 +209,28 @@ class BakedLightGlTest {
                 assertEquals((drawn.get(0)[i] + without) / 2, drawn.get(2)[i], ROUNDING, "value " + i);
             }
             assertArrayEquals(drawn.get(0), drawn.get(3));
+        }
+    }
+
+    /** A lamp of a layer is dimmed with it, with a bake or without one, as if its intensity were written so. */
+    @Test
+    void liveLampsAreDimmedAsTheirLayer() {
+        Light lamp = new Light.Point("lamp", new Vec3(0, 0, 3), new Vec3(5, 3, 4), 10, false, "lamps");
+        Light other = new Light.Point("other", new Vec3(0, 1, 2), new Vec3(1, 1, 2), 10, false);
+        PlacedLevel placed =
+                PlacedLevel.of(wall().light(lamp).light(other).level(), TestAssets.NONE);
+        PlacedLevel dimmed =
+                PlacedLevel.of(wall().light(lamp.dimmed(0.25)).light(other).level(), TestAssets.NONE);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            List<float[]> gained = pictures(
+                    offscreen, placed, null, Quality.HIGH, List.of(Map.of("lamps", 0.25), Map.of("lamps", 1.0)));
+            List<float[]> written = List.of(
+                    pictures(offscreen, dimmed, null, Quality.HIGH, List.of(Map.of())).get(0),
+                    pictures(offscreen, placed, null, Quality.HIGH, List.of(Map.of())).get(0));
+            for (int i = 0; i < 2; i++) {
+                assertArrayEquals(written.get(i), gained.get(i));
+            }
+            assertFalse(Arrays.equals(gained.get(0), gained.get(1)));
         }
     }
 
