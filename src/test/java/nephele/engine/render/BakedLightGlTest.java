@@ -217,16 +217,17 @@ class BakedLightGlTest {
     void liveLampsAreDimmedAsTheirLayer() {
         Light lamp = new Light.Point("lamp", new Vec3(0, 0, 3), new Vec3(5, 3, 4), 10, false, "lamps");
         Light other = new Light.Point("other", new Vec3(0, 1, 2), new Vec3(1, 1, 2), 10, false);
-        PlacedLevel placed =
-                PlacedLevel.of(wall().light(lamp).light(other).level(), TestAssets.NONE);
+        PlacedLevel placed = PlacedLevel.of(wall().light(lamp).light(other).level(), TestAssets.NONE);
         PlacedLevel dimmed =
                 PlacedLevel.of(wall().light(lamp.dimmed(0.25)).light(other).level(), TestAssets.NONE);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             List<float[]> gained = pictures(
                     offscreen, placed, null, Quality.HIGH, List.of(Map.of("lamps", 0.25), Map.of("lamps", 1.0)));
             List<float[]> written = List.of(
-                    pictures(offscreen, dimmed, null, Quality.HIGH, List.of(Map.of())).get(0),
-                    pictures(offscreen, placed, null, Quality.HIGH, List.of(Map.of())).get(0));
+                    pictures(offscreen, dimmed, null, Quality.HIGH, List.of(Map.of()))
+                            .get(0),
+                    pictures(offscreen, placed, null, Quality.HIGH, List.of(Map.of()))
+                            .get(0));
             for (int i = 0; i < 2; i++) {
                 assertArrayEquals(written.get(i), gained.get(i));
             }

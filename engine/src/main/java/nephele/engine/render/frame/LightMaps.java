@@ -66,8 +66,9 @@ public record LightMaps(
         List<Target> still = new ArrayList<>(all);
         still.removeAll(List.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW));
         List<Target> ground = new ArrayList<>(all);
-        ground.removeIf(target -> (target == Target.SUN_SHADOW || target == Target.CLOUD_SHADE) && baked.contains(Baked.SUN)
-                || target == Target.LIGHT_SHADOW && baked.contains(Baked.LAMPS));
+        ground.removeIf(
+                target -> (target == Target.SUN_SHADOW || target == Target.CLOUD_SHADE) && baked.contains(Baked.SUN)
+                        || target == Target.LIGHT_SHADOW && baked.contains(Baked.LAMPS));
         List<Target> solids = new ArrayList<>(ground);
         addIf(LightRequirements.skyVisibility(level) && readsSky(level, baked), Target.SKY_VISIBILITY, solids);
         addIf(baked.contains(Baked.BOUNCED) && LightRequirements.hasMeshes(level), Target.BAKED_LIGHT, solids);
