@@ -75,6 +75,12 @@ public final class LightBake {
      */
     public record Settings(double error, int mostRays) {
         public static final Settings USUAL = new Settings(0.02, 2048);
+
+        /** Returns these settings for another error, with as many more or fewer rays as it takes. */
+        public Settings withError(double other) {
+            double rays = mostRays * (error / other) * (error / other);
+            return new Settings(other, (int) Math.max(GROUPS * ROUND, Math.min(rays, 1 << 20)));
+        }
     }
 
     /** A store of finished blocks; called from several threads. */

@@ -66,30 +66,29 @@ public final class GatherRays {
         reflectance.zero();
         boolean isMet = path.trace(origin, direction, 0, Double.POSITIVE_INFINITY);
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
+        PathAir air = level.air(cloud == null ? path.partsToEnd() : cloud.parts(), random);
+        arriving.set(sources == Sources.ALL ? air.added() : new Vector3d());
         if (cloud != null) {
-            arriving.set(level.fromCloud(cloud, clouds, path, random));
+            arriving.add(clouds.radiance(cloud, random).mul(air.passed()));
             return End.OPEN;
         }
         if (!isMet) {
-            arriving.set(
-                    sources == Sources.ALL && level.light().isSkyLight()
-                            ? level.fromSky(path, random)
-                            : new Vector3d());
+            if (sources == Sources.ALL && level.light().isSkyLight()) {
+                arriving.add(level.sky(path.lastSegment()).mul(air.passed()));
+            }
             return End.OPEN;
         }
         place = path.ray().at(path.end());
         surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
                 .reciprocal();
-        Vector3d passed = level.transmittance(place, path);
-        arriving.set(sources == Sources.ALL ? level.arriving(new Vector3d(), place, path, random) : new Vector3d());
-        emitted.set(surface.emission().toVector()).mul(passed);
+        emitted.set(surface.emission().toVector()).mul(air.passed());
         reflectance
                 .set(
                         surface.gloss() == null
                                 ? surface.albedo()
                                 : surface.gloss().diffuse())
                 .add(surface.gloss() == null ? new Vector3d() : surface.gloss().ambientSpecular())
-                .mul(passed);
+                .mul(air.passed());
         return level.endOf(path.item());
     }
 

@@ -6,6 +6,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -49,7 +50,7 @@ public record StoredLight(State state, String file, IndirectLight light) {
      * @param layout of the level's static geometry, models split; called only if there is a file
      */
     static StoredLight of(PlacedLevel placed, Supplier<LightMapLayout> layout) {
-        LightKey key = LightKey.of(placed);
+        LightKey key = LightKey.of(placed.level());
         Optional<byte[]> found = LightCache.of(placed.assets()).stored(key.fileName());
         if (found.isEmpty()) {
             return former(placed)
@@ -63,18 +64,17 @@ public record StoredLight(State state, String file, IndirectLight light) {
         if (!IndirectLightFile.isWhole(found.get())) {
             return new StoredLight(State.DAMAGED, key.fileName(), null);
         }
-        var statics = LevelLight.baked(placed);
-        if (!isOf(head.get(), key, placed, SkyVisibilityFile.nameFor(statics))) {
+        if (!isOf(head.get(), placed)) {
             return new StoredLight(State.STALE, key.fileName(), null);
         }
-        return IndirectLightFile.decode(layout.get(), statics, groundPoints(placed), found.get())
+        return IndirectLightFile.decode(layout.get(), LevelLight.baked(placed), groundPoints(placed), found.get())
                 .map(light -> new StoredLight(State.BAKED, key.fileName(), light))
                 .orElse(new StoredLight(State.DAMAGED, key.fileName(), null));
     }
 
-    private static boolean isOf(IndirectLightFile.Head head, LightKey key, PlacedLevel placed, String geometry) {
+    private static boolean isOf(IndirectLightFile.Head head, PlacedLevel placed) {
         try {
-            return Arrays.equals(head.content(), key.content(placed.assets(), geometry));
+            return Arrays.equals(head.content(), content(placed));
         } catch (AssetException unreadable) {
             return false;
         }
@@ -87,9 +87,18 @@ public record StoredLight(State state, String file, IndirectLight light) {
      */
     public static byte[] file(PlacedLevel placed, IndirectLight light) {
         var statics = LevelLight.baked(placed);
-        byte[] content = LightKey.of(placed).content(placed.assets(), SkyVisibilityFile.nameFor(statics));
-        var head = new IndirectLightFile.Head(levelName(placed), content);
+        var head = new IndirectLightFile.Head(levelName(placed), content(placed));
         return IndirectLightFile.encode(head, LightMapLayout.of(statics.solids()), light);
+    }
+
+    /** Returns what the light depends on, hashed, in hexadecimal digits. */
+    public static String contentName(PlacedLevel placed) {
+        return LightKey.of(placed.level()).fileName() + " " + HexFormat.of().formatHex(content(placed));
+    }
+
+    private static byte[] content(PlacedLevel placed) {
+        String geometry = SkyVisibilityFile.nameFor(LevelLight.baked(placed));
+        return LightKey.of(placed.level()).content(placed.assets(), geometry);
     }
 
     /** Returns the name of the level's file; empty for one in the jar. */

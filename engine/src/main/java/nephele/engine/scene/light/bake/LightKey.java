@@ -22,7 +22,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
-import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.appearance.Daylight;
 
 /**
  * The part of a level that its baked light depends on: solids, models, terrains and billboards with the materials that
@@ -45,8 +45,8 @@ public record LightKey(String fileName, List<String> assetIds) {
             Set.of("portalable", "exposureStops", "toneCurve", "lightning", "technique", "tolerance");
 
     /** Returns the key of a level. */
-    public static LightKey of(PlacedLevel placed) {
-        Level level = placed.level();
+    public static LightKey of(Level authored) {
+        Level level = Daylight.lit(authored);
         MessageDigest digest = SkyVisibilityFile.sha256();
         try (var words = new DataOutputStream(
                 new BufferedOutputStream(new DigestOutputStream(OutputStream.nullOutputStream(), digest)))) {
