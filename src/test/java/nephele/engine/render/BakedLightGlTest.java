@@ -340,7 +340,7 @@ class BakedLightGlTest {
 
     private static List<String> plan(PlacedLevel placed, BakedLight light, Quality quality) {
         var request =
-                FrameRequest.of(placed.level(), placed.statics(), light, Output.HDR, quality, CharacterPresence.NEVER);
+                FrameRequest.of(placed.level(), placed.statics(), light == null ? null : light.indirect(), Output.HDR, quality, CharacterPresence.NEVER);
         return FramePlan.of(request).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())

@@ -14,7 +14,6 @@ import nephele.engine.render.frame.Quality.LightDirections;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.IndirectLight;
 
 /**
@@ -45,8 +44,8 @@ public record LightMaps(
 
     /** @param light {@code null} for none */
     public static LightMaps of(
-            Level level, StaticShapes statics, BakedLight light, Quality quality, CharacterPresence character) {
-        Set<Baked> baked = baked(level, light == null ? null : light.indirect(), quality);
+            Level level, StaticShapes statics, IndirectLight light, Quality quality, CharacterPresence character) {
+        Set<Baked> baked = baked(level, light, quality);
         boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
         boolean lamps = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
         boolean sun = LightRequirements.sunShadow(level, statics);
