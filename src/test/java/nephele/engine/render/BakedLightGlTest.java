@@ -338,9 +338,41 @@ class BakedLightGlTest {
         assertEquals(plan(placed, null, Quality.HIGH), plan(placed, null, baked));
     }
 
+    /** A mirror-like floor under a baked lamp shows what is around it, not the lamp's light as if it came from everywhere. */
+    @Test
+    void glossMirrorsNoBakedSun() {
+        Level level = wall(new Material("wall", TestLevel.grey(1), null, 0.1, 1.0, null, Vec3.ZERO, 1))
+                .model(
+                        "box_1_1.3d",
+                        "wall",
+                        new TransformStep.Translate(new Vec3(0, -1.5, 0.25)),
+                        new TransformStep.Scale(new Vec3(5, 1, 0.5)))
+                .castingSun(new Vec3(0, 0.6, 0.8), 2)
+                .level();
+        PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+        BakedLight light = new FormulaLight(placed.statics())
+                .layer("", Course.INDIRECT, p -> TestLevel.grey(0.25), Vec3.ZERO)
+                .layer("", Course.DIRECT, p -> TestLevel.grey(8), Vec3.ZERO)
+                .baked(SkyLight.BAKED);
+        Quality baked = Quality.HIGH.with("directLight", DirectLight.BAKED);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (LightDirections directions : LightDirections.values()) {
+                float[] picture = picture(offscreen, level, light, baked.with("lightDirections", directions));
+                for (int i = 0; i < 3 * SIZE * SIZE; i++) {
+                    assertEquals(0.25, picture[i], 0.01, directions + ", value " + i);
+                }
+            }
+        }
+    }
+
     private static List<String> plan(PlacedLevel placed, BakedLight light, Quality quality) {
-        var request =
-                FrameRequest.of(placed.level(), placed.statics(), light == null ? null : light.indirect(), Output.HDR, quality, CharacterPresence.NEVER);
+        var request = FrameRequest.of(
+                placed.level(),
+                placed.statics(),
+                light == null ? null : light.indirect(),
+                Output.HDR,
+                quality,
+                CharacterPresence.NEVER);
         return FramePlan.of(request).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())

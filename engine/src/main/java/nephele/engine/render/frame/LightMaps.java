@@ -39,7 +39,9 @@ public record LightMaps(
         SUN,
         LAMPS,
         /** Not light, but whence it comes, for normals that a normal map tilts. */
-        DIRECTIONS
+        DIRECTIONS,
+        /** All but {@link #DIRECT} once more, for glossy surfaces, which would mirror a sun as wide as the sky. */
+        MIRRORED
     }
 
     /** @param light {@code null} for none */
@@ -98,6 +100,8 @@ public record LightMaps(
         addIf(isDirectBaked, Baked.DIRECT, baked);
         addIf(isDirectBaked && LightRequirements.sunStands(level), Baked.SUN, baked);
         addIf(isDirectBaked && LightRequirements.lights(level), Baked.LAMPS, baked);
+        boolean isGlossy = level.materials().stream().anyMatch(material -> !material.lambert());
+        addIf(isDirectBaked && isBounced && isGlossy, Baked.MIRRORED, baked);
         addIf(isTilted && quality.lightDirections() == LightDirections.ON, Baked.DIRECTIONS, baked);
         return baked;
     }

@@ -294,6 +294,7 @@ public final class SurfaceLight {
         return addLights(defines, maps.ground(), maps.baked())
                 .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
                 .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
+                .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
                 .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
     }
 
