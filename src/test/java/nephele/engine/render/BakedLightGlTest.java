@@ -14,6 +14,7 @@ import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.LevelRenderer;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -24,6 +25,7 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
+import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
@@ -42,6 +44,7 @@ import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FormulaLight;
 import nephele.engine.scene.light.bake.IndirectLight.Course;
 import nephele.engine.scene.light.bake.IndirectLight.SkyLight;
+import nephele.engine.scene.light.bake.SkyVisibility;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -310,6 +313,48 @@ class BakedLightGlTest {
             renderer.draw(view(offscreen), offscreen.picture);
             assertRadiance(TestLevel.grey(ALBEDO * 0.5), renderer.readRadiance(), 300, ROUNDING);
             renderer.close();
+        }
+    }
+
+    /** Without a sky a new solid looks like the nearest face that looks the same way, not black. */
+    @Test
+    void aNewSolidInARoomWithoutSkyIsLitLikeItsNeighbour() {
+        Level level = wall().box("wall", new Vec3(0, -9, 0), new Vec3(5, 1, 5)).level();
+        List<Solid> more = new ArrayList<>(level.solids());
+        more.add(new Solid.Box(
+                "new", "wall", false, TextureMapping.WORLD, new Vec3(1, 0, 0.2), new Vec3(1, 1, 0.4), Map.of()));
+        PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+        BakedLight light = light(level, TestAssets.NONE, SkyLight.BAKED, LINEAR);
+        BakedLight dark = new BakedLight(SkyVisibility.even(light.statics(), false), light.indirect());
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            Renderer renderer = LevelRenderer.load(
+                    offscreen.gl, Scene.of(placed, dark), RenderSettings.of(Output.HDR, Quality.HIGH));
+            PlacedLevel edited = placed.edited(level.with(level.materials(), more));
+            renderer = LevelRenderer.edited(renderer, renderer.scene().edited(edited, null));
+            renderer.draw(view(offscreen), offscreen.picture);
+            int pixel = SIZE * SIZE / 2 + 3 * SIZE / 4;
+            Vec3 ray = offscreen.ray(view(offscreen), pixel);
+            Vec3 place = new Vec3(0, 0, 2).addScaled(-1.6 / ray.z(), ray);
+            assertRadiance(LINEAR.apply(place).scaled(ALBEDO), renderer.readRadiance(), pixel, 0.01);
+            renderer.close();
+        }
+    }
+
+    /** Lightning needs the sky's visibility even where the sky's light is baked; between flashes it changes nothing. */
+    @Test
+    void lightningBesideABakedSkyChangesNothingBetweenFlashes() {
+        Sky even = new Sky.Constant(TestLevel.grey(0.25));
+        Environment.Lightning rare = new Environment.Lightning(
+                1e-3, 0, new Vec3(0, 900, -9000), new Vec3(900, 300, 900), 0, 0.6, TestLevel.grey(1e6));
+        TestLevel skylit = wall().skyLight().sky(even);
+        Level calm = skylit.level();
+        Level stormy = skylit.lightning(rare).level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            float[] without =
+                    picture(offscreen, calm, light(calm, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
+            float[] with =
+                    picture(offscreen, stormy, light(stormy, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
+            assertArrayEquals(without, with, 1e-6f);
         }
     }
 
