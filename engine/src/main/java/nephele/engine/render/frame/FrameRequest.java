@@ -8,7 +8,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.IndirectLight;
 
 /**
  * The request that a renderer's frames fulfil: everything on which the choice of passes depends.
@@ -27,7 +27,7 @@ public record FrameRequest(
     public static FrameRequest of(
             Level level,
             StaticShapes statics,
-            BakedLight light,
+            IndirectLight light,
             Output output,
             Quality quality,
             CharacterPresence character) {
@@ -37,7 +37,7 @@ public record FrameRequest(
     }
 
     /** Returns a request with quality HIGH, without a character. @param light {@code null} for none */
-    public static FrameRequest of(PlacedLevel placed, BakedLight light, Output output) {
+    public static FrameRequest of(PlacedLevel placed, IndirectLight light, Output output) {
         return of(placed.level(), placed.statics(), light, output, Quality.HIGH, CharacterPresence.NEVER);
     }
 

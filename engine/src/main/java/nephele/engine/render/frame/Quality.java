@@ -303,7 +303,7 @@ public record Quality(
     /** The source of the light straight from sun and lamps on static surfaces. */
     public enum DirectLight {
         LIVE,
-        /** The bake, if there is one; a sun that moves or shines through clouds stays live. */
+        /** The bake, if there is one; a sun that moves stays live, one that does not shines through the clouds of the first moment. */
         BAKED
     }
 

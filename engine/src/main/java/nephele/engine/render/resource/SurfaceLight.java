@@ -1,7 +1,9 @@
 package nephele.engine.render.resource;
 
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
@@ -25,11 +27,13 @@ import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
+import org.lwjgl.system.MemoryUtil;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
@@ -37,7 +41,7 @@ import nephele.engine.scene.light.ShadowFrame;
  */
 public final class SurfaceLight {
     public static final SharedResource<SurfaceLight> RESOURCE = SharedResource.of("surface light", SurfaceLight::of)
-            .following((light, frame) -> light.follow(frame.frameState().environment()));
+            .following((light, frame) -> light.follow(frame.frameState()));
 
     private final Level level;
     private final Scene scene;
@@ -62,6 +66,8 @@ public final class SurfaceLight {
     private ShadowFrame sunFrame;
 
     private Environment followed;
+    /** The gains with which the lights were uploaded. */
+    private Map<String, Double> gains = Map.of();
     /** {@code null} before the first frame, and without clouds. */
     private CloudInterval cloudsFollowed;
     /** Whether the last frame was lit by a flash. */
@@ -86,7 +92,7 @@ public final class SurfaceLight {
                 : scene.lights().withMostShadows(request.quality().lightShadows());
         lightTexels = lights == null
                 ? null
-                : context.own(BufferTexture.ofFloats(gl, "punctual lights", lights.packed(anchor())));
+                : context.own(BufferTexture.ofFloats(gl, "punctual lights", lights.packed(anchor(), gains)));
         lightGrid =
                 lights == null ? null : context.own(BufferTexture.ofIntegers(gl, "light grid", lights.packedGrid()));
         dynamicShadows = context.own(new DynamicShadows(gl, maps));
@@ -94,7 +100,7 @@ public final class SurfaceLight {
 
     private static SurfaceLight of(LoadContext context) {
         SurfaceLight light = new SurfaceLight(context);
-        light.follow(context.scene().level().environment());
+        light.follow(FrameState.atStart(context.scene().level()));
         return light;
     }
 
@@ -110,9 +116,11 @@ public final class SurfaceLight {
     /**
      * Updates the numbers to the current environment, if it has changed.
      *
-     * @param now has a sun, sky or constant only if the level has
+     * @param state its environment has a sun, sky or constant only if the level has
      */
-    private void follow(Environment now) {
+    private void follow(FrameState state) {
+        followGains(state.layerGains());
+        Environment now = state.environment();
         CloudInterval interval = clouds.current().now();
         boolean isSame = interval == null
                 || cloudsFollowed != null
@@ -139,6 +147,16 @@ public final class SurfaceLight {
         block.upload();
         followed = now;
         cloudsFollowed = interval;
+    }
+
+    private void followGains(Map<String, Double> now) {
+        if (lights != null && !now.equals(gains)) {
+            gains = now;
+            float[] packed = lights.packed(anchor(), gains);
+            FloatBuffer texels = MemoryUtil.memAllocFloat(packed.length);
+            lightTexels.upload(texels.put(packed).flip());
+            MemoryUtil.memFree(texels);
+        }
     }
 
     private void putSun(Sun sun) {
@@ -276,6 +294,7 @@ public final class SurfaceLight {
         return addLights(defines, maps.ground(), maps.baked())
                 .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
                 .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
+                .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
                 .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
     }
 

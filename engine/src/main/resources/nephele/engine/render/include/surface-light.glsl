@@ -220,9 +220,14 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
     vec3 mirrored = vec3(0.0);
 #endif
 #ifdef BAKED_LIGHT
-    diffuse += radianceFacing(s.baked, s.normal, ownNormal(s));
+    diffuse += s.baked.radiance * gainFacing(s.baked, s.normal, ownNormal(s));
 #ifdef METALLIC_ROUGHNESS
-    mirrored += radianceFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
+#ifdef BAKED_MIRRORED
+    vec3 toMirror = s.baked.mirrored;
+#else
+    vec3 toMirror = s.baked.radiance;
+#endif
+    mirrored += toMirror * gainFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
 #endif
 #endif
 #ifdef BOUNCED_LIGHT
