@@ -54,6 +54,7 @@ final class BounceLinks {
         double change = 1;
         for (int step = 0; step < MOST_STEPS && change > BALANCED; step++) {
             change = step();
+            progress.accept(1);
         }
         float[] indirect = bake.indirect();
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
@@ -79,13 +80,11 @@ final class BounceLinks {
             int link = RAYS * receiver;
             for (int i = 0; i < RAYS; i++) {
                 int at = link + i;
-                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, met, direction, cosine, to) -> {
-                    if (end != GatherRays.End.OTHER) {
-                        receivers.around(end, met, corners, weights);
-                        ends[at] = chosen(corners, weights, random.nextDouble());
-                        keep(met.reflectance(), at);
-                        bake.addReflected(met, direction, cosine, to, bake.direct(), corners, weights);
-                    }
+                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, reflectance, direction, cosine, to) -> {
+                    receivers.around(end, ray, corners, weights);
+                    ends[at] = chosen(corners, weights, random.nextDouble());
+                    keep(reflectance, at);
+                    bake.addReflected(reflectance, direction, cosine, to, bake.direct(), corners, weights);
                 });
             }
             int at = receiver * Gathered.VALUES * layers;

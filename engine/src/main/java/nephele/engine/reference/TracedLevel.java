@@ -36,7 +36,10 @@ public final class TracedLevel {
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
+    /** For direct light. */
     private final Optional<AirShade> shade;
+
+    private final Optional<AirShade> shadeWithWalls;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final EmissiveSurfaces emissive;
@@ -67,9 +70,13 @@ public final class TracedLevel {
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, seconds, sky);
-        shade = AirShade.of(level.environment(), clouds);
+        shade = AirShade.ofClouds(level.environment(), clouds);
         sunCastsShadow =
                 level.environment().sun() != null && level.environment().sun().castsShadow();
+        shadeWithWalls = AirShade.of(
+                level.environment(),
+                clouds,
+                ray -> sunCastsShadow && rays.blocker(ray, Double.POSITIVE_INFINITY, -1) >= 0);
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
@@ -114,9 +121,27 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
-    /** Returns rays of a bake for one thread. */
-    public GatherRays gatherRays(GatherRays.Sources sources) {
-        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    /**
+     * Returns rays of a bake for one thread.
+     *
+     * @param panorama the sky as one place sees it; {@code null} if each ray is to find the sky itself
+     */
+    public GatherRays gatherRays(GatherRays.Sources sources, SkyPanorama panorama) {
+        return new GatherRays(this, path(false), sources, panorama, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns rays that meet the sky and its clouds alone. */
+    GatherRays skyRays() {
+        var nothing = new TracedItems(StaticShapes.of(List.of()), List.of(), 0, List.of(), List.of());
+        EyePath open = new EyePath(nothing, Portals.NONE, FaceMaterials.NONE);
+        return new GatherRays(this, open, GatherRays.Sources.ALL, null, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the sky as a place sees it; empty if it costs no more to ask the sky itself, or is no light. */
+    public Optional<SkyPanorama> panorama(Vec3 eye) {
+        return light.isSkyLight() && (air.isPresent() || clouds.isPresent())
+                ? Optional.of(SkyPanorama.of(this, eye))
+                : Optional.empty();
     }
 
     /** Returns the lamps that emit anything, in the order of the level. */
@@ -185,6 +210,19 @@ public final class TracedLevel {
     Optional<CloudSight> cloudSight() {
         return clouds.map(all -> new CloudSight(
                 all.media(), new CloudSight.LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
+    }
+
+    /**
+     * Returns the light that clouds scatter towards paths of one thread; empty without clouds.
+     *
+     * @param passesPortals false if light meets the walls behind portals
+     */
+    Optional<CloudScattering> cloudScattering(boolean passesPortals) {
+        return clouds.map(all -> new CloudScattering(
+                all.media(),
+                new CloudSight.LevelSurroundings(
+                        all.open(), rays, passesPortals ? portals : Portals.NONE, sunCastsShadow),
+                light.lamps()));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */
@@ -281,14 +319,6 @@ public final class TracedLevel {
         return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
     }
 
-    /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
-    Vector3d transmittance(Vec3 place, EyePath path) {
-        EyePath.Segment last = path.lastSegment();
-        return airTransmittance(place, last.direction(), path.metres())
-                .mul(fogTransmittance(last, path.metres()))
-                .mul(path.tint());
-    }
-
     /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
     Vector3d fromSky(EyePath path, SplittableRandom random) {
         Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
@@ -296,17 +326,58 @@ public final class TracedLevel {
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
-    /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
-    Vector3d fromDiscs(EyePath path) {
-        EyePath.Segment last = path.lastSegment();
+    /** Returns the radiance of the sky, without sun and moon, where the last part of a path begins. */
+    Vector3d sky(EyePath.Segment last) {
+        return sky(last.origin().y(), last.direction().toVector());
+    }
+
+    /** Returns the radiance of the discs of sun and moon where the last part of a path begins. */
+    Vector3d discs(EyePath.Segment last) {
         Vec3 sunDisc = disc.map(
                         sun -> sun.towards(last.direction(), last.origin().y()))
                 .orElse(Vec3.ZERO);
         Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
-        return sunDisc.plus(moonDisc)
-                .toVector()
-                .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
-                .mul(path.tint());
+        return sunDisc.plus(moonDisc).toVector();
+    }
+
+    /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
+    PathAir air(List<EyePath.Segment> parts, SplittableRandom random) {
+        return PathAir.of(air, shadeWithWalls, parts, random);
+    }
+
+    /**
+     * Returns radiance as it arrives at an eye through air, each part's by its own place, and through fog and mirrors.
+     *
+     * @param radiance at the end of the parts; changed
+     * @param parts of the path up to there
+     * @param metres length of the path up to there; infinite for the sky
+     */
+    Vector3d arrivingByParts(
+            Vector3d radiance, EyePath path, List<EyePath.Segment> parts, double metres, SplittableRandom random) {
+        PathAir onWay = air(parts, random);
+        EyePath.Segment last = parts.get(parts.size() - 1);
+        Vector3d seen = radiance.mul(onWay.passed()).add(onWay.added()).mul(fogTransmittance(last, metres));
+        List<EyePath.Reflected> before = path.reflected().stream()
+                .filter(mirror -> parts.contains(mirror.before()))
+                .toList();
+        return seen.add(mirrored(throughFog(new Vector3d(), last, metres), last.tint(), before));
+    }
+
+    /**
+     * Returns the fraction of light that passes air, fog and mirrors to an eye.
+     *
+     * @param part of its path
+     * @param metres from the part's beginning
+     */
+    Vector3d attenuation(EyePath.Segment part, double metres) {
+        return airAttenuation(part, metres).mul(fogTransmittance(part, part.metresBefore() + metres));
+    }
+
+    /** Returns the fraction of light that passes air and mirrors, likewise. */
+    Vector3d airAttenuation(EyePath.Segment part, double metres) {
+        Vec3 place = part.origin().addScaled(metres, part.direction());
+        return airTransmittance(place, part.direction(), part.metresBefore() + metres)
+                .mul(part.tint());
     }
 
     /** Returns the radiance of a cloud's collision as it arrives along a path. */
