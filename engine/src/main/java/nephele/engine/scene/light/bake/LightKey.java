@@ -44,7 +44,7 @@ public record LightKey(String fileName, List<String> assetIds) {
 
     /** Components on which no light depends. */
     private static final Set<String> UNLIT =
-            Set.of("portalable", "exposureStops", "toneCurve", "lightning", "technique", "tolerance");
+            Set.of("id", "portalable", "exposureStops", "toneCurve", "lightning", "technique", "tolerance");
 
     /** Returns the key of a level. */
     public static LightKey of(PlacedLevel placed) {
@@ -189,16 +189,16 @@ public record LightKey(String fileName, List<String> assetIds) {
         }
 
         private void text(String text, Written written) throws IOException {
-            boolean isId = written != null && written.text() == TextKind.ID;
-            if (!isId) {
+            String section = written == null ? "" : written.refersTo();
+            if (section.equals("materials")) {
+                material(text);
+            } else if (!section.isEmpty()) {
+                words.writeInt(idsOf.getOrDefault(section, List.of()).indexOf(text));
+            } else {
                 words.writeUTF(text);
                 if (written != null && written.text() == TextKind.ASSET) {
                     assetIds.add(text);
                 }
-            } else if (written.refersTo().equals("materials")) {
-                material(text);
-            } else if (!written.refersTo().isEmpty()) {
-                words.writeInt(idsOf.getOrDefault(written.refersTo(), List.of()).indexOf(text));
             }
         }
     }
