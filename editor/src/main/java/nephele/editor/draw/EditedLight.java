@@ -260,8 +260,7 @@ final class EditedLight implements AutoCloseable {
                 });
                 IndirectLight fine = bake.light();
                 show(sky, fine);
-                LightCache.of(placed.assets())
-                        .store(LightKey.of(placed).fileName(), StoredLight.file(placed, fine));
+                LightCache.of(placed.assets()).store(LightKey.of(placed).fileName(), StoredLight.file(placed, fine));
             } catch (CancellationException cancelled) {
                 return;
             } catch (RuntimeException | OutOfMemoryError failed) {
