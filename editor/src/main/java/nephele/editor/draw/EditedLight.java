@@ -99,7 +99,7 @@ final class EditedLight implements AutoCloseable {
         if (!bakes) {
             key = "";
         } else if (isEdited || key.isEmpty()) {
-            key = LightKey.of(placed.level()).fileName();
+            key = LightKey.of(placed).fileName();
         }
         followed = placed;
         boolean isOther = bakes ? !key.equals(bakedKey) : isBaked;
@@ -260,8 +260,7 @@ final class EditedLight implements AutoCloseable {
                 });
                 IndirectLight fine = bake.light();
                 show(sky, fine);
-                LightCache.of(placed.assets())
-                        .store(LightKey.of(placed.level()).fileName(), StoredLight.file(placed, fine));
+                LightCache.of(placed.assets()).store(LightKey.of(placed).fileName(), StoredLight.file(placed, fine));
             } catch (CancellationException cancelled) {
                 return;
             } catch (RuntimeException | OutOfMemoryError failed) {
