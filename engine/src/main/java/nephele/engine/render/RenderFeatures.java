@@ -27,6 +27,7 @@ import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
 import nephele.engine.render.pass.rim.UnfilledPass;
+import nephele.engine.render.pass.shadow.ContactPass;
 import nephele.engine.render.pass.shadow.DynamicShadowPass;
 import nephele.engine.render.pass.shadow.LightShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
@@ -57,6 +58,7 @@ public final class RenderFeatures {
             SunShadowPass.FEATURE,
             LightShadowPass.FEATURE,
             DynamicShadowPass.FEATURE,
+            ContactPass.FEATURE,
             SkyVisibilityPass.FEATURE,
             CloudShadePass.FEATURE,
             // In each view.

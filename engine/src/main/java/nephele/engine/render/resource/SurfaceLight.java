@@ -22,8 +22,11 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.dynamic.ContactCasters;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowCasters;
@@ -52,6 +55,10 @@ public final class SurfaceLight {
     private final BufferTexture lightTexels;
     private final BufferTexture lightGrid;
     private final DynamicShadows dynamicShadows;
+    /** The number of spheres that hide ambient light from what is near them. */
+    private final int contactSpheres;
+    /** {@code null} without such spheres. */
+    private final UniformBuffer contact;
     /** {@code null} without lightning. */
     private final FrameLightning flash;
 
@@ -88,6 +95,8 @@ public final class SurfaceLight {
         lightGrid =
                 lights == null ? null : context.own(BufferTexture.ofIntegers(gl, "light grid", lights.packedGrid()));
         dynamicShadows = context.own(new DynamicShadows(gl, maps));
+        contactSpheres = request.drawsContact() ? ContactCasters.spheres(level, request.character()) : 0;
+        contact = contactSpheres == 0 ? null : context.own(new UniformBuffer(gl, "contact shadow", 8 * contactSpheres));
     }
 
     private static SurfaceLight of(LoadContext context) {
@@ -190,6 +199,16 @@ public final class SurfaceLight {
         return dynamicShadows;
     }
 
+    /** Returns the number of spheres that hide ambient light; 0 if nothing does. */
+    public int contactSpheres() {
+        return contactSpheres;
+    }
+
+    /** Sets the spheres that hide ambient light, as {@link ContactCasters#choose} packs them. */
+    public void contact(float[] spheres) {
+        contact.upload(spheres);
+    }
+
     /** Returns the direction towards the sun, or towards the moon when that is the level's directional light. */
     public Vec3 towardsSun() {
         return towardsSun;
@@ -220,6 +239,7 @@ public final class SurfaceLight {
                 || maps.has(Target.CLOUD_SHADE)
                 || lights != null
                 || dynamicShadows.sun()
+                || contact != null
                 || flash != null;
     }
 
@@ -248,7 +268,11 @@ public final class SurfaceLight {
     }
 
     private Defines addLights(Defines defines) {
-        return addStaticLights(dynamicShadows.addTo(defines));
+        return addContact(addStaticLights(dynamicShadows.addTo(defines)));
+    }
+
+    private Defines addContact(Defines defines) {
+        return contact == null ? defines : defines.with("CONTACT").with("CONTACT_SPHERES", contactSpheres);
     }
 
     private Defines addStaticLights(Defines defines) {
@@ -277,5 +301,8 @@ public final class SurfaceLight {
             lightGrid.bind(TextureUnit.LIGHT_GRID);
         }
         dynamicShadows.bind();
+        if (contact != null) {
+            contact.bind(UniformBlock.CONTACT);
+        }
     }
 }

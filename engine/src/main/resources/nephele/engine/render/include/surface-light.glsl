@@ -1,8 +1,8 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
-// DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
+// DYNAMIC_LIGHT_SHADOW, CONTACT (moving objects darken ambient light), CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
 // faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
-// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
+// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CONTACT, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 struct Surface {
     vec3 baseColour;
@@ -24,6 +24,9 @@ struct Surface {
 #ifdef SKY_AMBIENT
     float skyVisibility;  // 0 to 1
 #endif
+#if defined(CONTACT) && defined(MOVING_RECEIVER)
+    int instance;
+#endif
 };
 
 #ifdef METALLIC_ROUGHNESS
@@ -40,6 +43,9 @@ const float PI = 3.14159265;
 #endif
 #if defined(DYNAMIC_SUN_SHADOW) || defined(DYNAMIC_LIGHT_SHADOW)
 #include "dynamic-shadows.glsl"
+#endif
+#ifdef CONTACT
+#include "contact.glsl"
 #endif
 #ifdef SUN_SHADOW
 #include "sun-shadow.glsl"
@@ -198,6 +204,19 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 }
 #endif
 
+#ifdef CONTACT
+// Returns the share of ambient light that moving objects do not hide.
+float contactShare(Surface s) {
+#if defined(MODEL)
+    return contactOpenShare(s.anchorPosition, s.smoothNormal, -1);
+#elif defined(MOVING_RECEIVER)
+    return contactOpenShare(s.anchorPosition, s.faceNormal, s.instance);
+#else
+    return contactOpenShare(s.anchorPosition, s.faceNormal, -1);
+#endif
+}
+#endif
+
 #ifdef FLASH
 #include "flash-light.glsl"
 #endif
@@ -207,6 +226,9 @@ vec3 surfaceRadiance(Surface s) {
     vec3 sum = vec3(0.0);
 #if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
     sum += ambientLight(r, s);
+#endif
+#ifdef CONTACT
+    sum *= contactShare(s);
 #endif
 #ifdef LIGHT_PARTS
     r = shown(r);

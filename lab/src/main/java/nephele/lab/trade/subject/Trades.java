@@ -20,6 +20,7 @@ public final class Trades {
             QualitySubjects.SHADOW_FILTER,
             QualitySubjects.LIGHT_SHADOWS,
             QualitySubjects.LIGHT_PARTS,
+            QualitySubjects.CONTACT,
             PictureSubjects.PORTAL_TECHNIQUE,
             PictureSubjects.PORTAL_BUDGET,
             PictureSubjects.PORTAL_BUDGET_BETWEEN_FACING,

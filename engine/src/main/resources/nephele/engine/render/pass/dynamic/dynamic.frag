@@ -89,6 +89,9 @@ void main() {
 #ifdef SKY_AMBIENT
     s.skyVisibility = skySeen(instance, s.normal);
 #endif
+#ifdef CONTACT
+    s.instance = instance;
+#endif
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
 #ifdef SEE_THROUGH
     float towardsEye = dot(s.faceNormal, -normalize(relativePosition));
