@@ -203,6 +203,9 @@ class BakeCommandTest {
             {"bake", bright.toString(), "--sky", "level"},
             {"bake", bright.toString(), "--sky", "a", "--face-size", "0"},
             {"bake", bright.toString(), "--sky", "a", "--spp", "0"},
+            {"bake", bright.toString(), bright.toString(), "--sky", "a"},
+            {"bake", bright.toString(), "--sky", "a", "--light-error", "5"},
+            {"bake", bright.toString(), "--light", "--light-error", "0"},
         };
         for (String[] words : refused) {
             assertEquals(2, Captured.run(words).exitCode(), List.of(words).toString());
@@ -218,12 +221,15 @@ class BakeCommandTest {
         Path lit = level("\"sky\": " + GRADIENT);
         Path stale = Files.write(
                 Files.createDirectories(folder.resolve("baked")).resolve("sky-visibility-0.bin"), new byte[3]);
-        Captured first = Captured.run("bake", lit.toString(), "--light");
+        Captured first = Captured.run("bake", lit.toString(), "--light", "--light-error", "20");
         assertEquals(0, first.exitCode(), first.err());
         assertFalse(Files.exists(stale), first.out());
         try (Stream<Path> baked = Files.list(folder.resolve("baked"))) {
-            assertEquals(1, baked.count());
+            assertEquals(2, baked.count());
         }
+        assertTrue(
+                Captured.run("explain", lit.toString()).out().contains("baked light: light-"),
+                Captured.run("explain", lit.toString()).out());
         assertTrue(Captured.run("bake", lit.toString(), "--light").out().contains("baked already"));
     }
 }

@@ -69,7 +69,8 @@ class PlayedQualityGlTest {
         var name = new LevelName(level);
         var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null, null)), null);
         var request = new PlayRequest(name, null, choice, null, null, null, null, null, player);
-        var prepared = Preparation.begin(name, choice, share -> {}).get();
+        var prepared =
+                Preparation.begin(name, choice, share -> {}, warning -> {}).get();
         try (var gl = GlContext.offscreen();
                 var target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT);
                 var picture = SessionPicture.load(gl, request, prepared, Optional.empty())) {

@@ -6,6 +6,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirLight;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Directions;
@@ -51,5 +52,27 @@ class AirTest {
                 .portal("a", "b", new Vec3(0, 1, 0), new Vec3(0, 0, 1), 1, 2)
                 .portal("b", "a", new Vec3(0, 3001, 0), new Vec3(0, 0, -1), 1, 2);
         assertAir(3001, 5002, Traced.towards(pair, EYE, new Vec3(0, 1, 0), 1));
+    }
+
+    /** With light that bounces, 5 km before a portal have the air of their place, and 5 km behind it that 8 km higher. */
+    @Test
+    void theAirBeforeAPortalIsThatOfItsOwnPlace() {
+        Vec3 glow = TestLevel.grey(0.8);
+        TestLevel pair = new TestLevel()
+                .sky(Sky.Atmosphere.CLEAR)
+                .sun(SUN, IRRADIANCE)
+                .material(new Material("glow", Vec3.ZERO, null, null, null, null, glow, 1))
+                .box("glow", new Vec3(0, 1, -5), new Vec3(13, 6, 10))
+                .box("glow", new Vec3(0, 8001, -6000), new Vec3(900, 900, 2000))
+                .portal("a", "b", new Vec3(0, 1, 0), new Vec3(0, 0, 1), 1, 2)
+                .portal("b", "a", new Vec3(0, 8001, 0), new Vec3(0, 0, -1), 1, 2);
+        Pinhole eye = Traced.eye(new Vec3(0, 1, 4000), new Vec3(0, 1, 0), 1e-7);
+        float[] seen = Traced.picture(pair, eye, new TraceSettings(1, 1, 1, 1, 1, LightTransport.FULL));
+        ClearSky sky = new ClearSky(AirTables.of(Air.CLEAR));
+        AirLight low = sky.along(1, new Vec3(0, 0, -1), SUN, 4000);
+        AirLight high = sky.along(8001, new Vec3(0, 0, -1), SUN, 5000);
+        Vec3 behind = glow.times(high.transmittance()).addScaled(IRRADIANCE, high.radiance());
+        Vec3 wanted = behind.times(low.transmittance()).addScaled(IRRADIANCE, low.radiance());
+        assertEquals(0, wanted.minus(new Vec3(seen[0], seen[1], seen[2])).length(), 1e-6, wanted + " " + high);
     }
 }

@@ -27,7 +27,7 @@ class GunGlTest {
 
     private static List<String> required(Level level, CharacterPresence character) {
         PlacedLevel placed = PlacedLevel.of(level, NoFiles.AT_ALL);
-        FrameRequest request = FrameRequest.of(level, placed.statics(), Output.PLAIN, Quality.HIGH, character);
+        FrameRequest request = FrameRequest.of(level, placed.statics(), null, Output.PLAIN, Quality.HIGH, character);
         return FramePlan.of(request).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())

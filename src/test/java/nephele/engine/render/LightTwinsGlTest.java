@@ -8,6 +8,7 @@ import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.PackedLight;
 import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
@@ -199,6 +200,26 @@ class LightTwinsGlTest {
         for (int i = 0; i < COUNT; i++) {
             Vector3d n = vector(in, 4 * i);
             assertClose(sky.ambient(n.x, n.y, n.z), gpu, i, 1e-5, 1e-6);
+        }
+    }
+
+    /** Directions of every length, with normals towards, away from and across them. */
+    @Test
+    void relativeIrradiance() {
+        SplittableRandom random = new SplittableRandom(7);
+        float[] in = new float[8 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            float[] d = unit(random);
+            float[] n = i % 5 == 0 ? d : i % 5 == 1 ? new float[] {-d[0], -d[1], -d[2]} : unit(random);
+            double length = i % 7 == 0 ? 0 : i % 7 == 1 ? 1 : random.nextDouble();
+            fill(in, 8 * i, length * d[0], length * d[1], length * d[2], 0);
+            fill(in, 8 * i + 4, n[0], n[1], n[2], 0);
+        }
+        float[] gpu = TwinProgram.run("baked-light.frag", in, COUNT, uniforms -> {});
+        for (int i = 0; i < COUNT; i++) {
+            Vec3 d = Vec3.of(vector(in, 8 * i));
+            double expected = PackedLight.relativeIrradiance(d, Vec3.of(vector(in, 8 * i + 4)));
+            assertClose(new Vector3d(expected, d.length(), 0), gpu, i, 1e-4, 1e-5);
         }
     }
 

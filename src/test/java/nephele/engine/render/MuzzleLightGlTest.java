@@ -46,7 +46,7 @@ class MuzzleLightGlTest {
 
     private static boolean isRequired(Level level, CharacterPresence character, Output output) {
         PlacedLevel placed = PlacedLevel.of(level, NoFiles.AT_ALL);
-        FrameRequest request = FrameRequest.of(level, placed.statics(), output, Quality.HIGH, character);
+        FrameRequest request = FrameRequest.of(level, placed.statics(), null, output, Quality.HIGH, character);
         return FramePlan.of(request).steps().stream()
                 .anyMatch(step -> step.feature() == MuzzleLightPass.FEATURE
                         && !step.required().isEmpty());

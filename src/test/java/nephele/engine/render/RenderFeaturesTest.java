@@ -127,7 +127,7 @@ class RenderFeaturesTest {
 
     private static boolean isHeldDrawn(Level level, CharacterPresence character) {
         return FramePlan.of(FrameRequest.of(
-                        level, StaticShapes.of(level, NoFiles.AT_ALL), Output.DIRECT, Quality.HIGH, character))
+                        level, StaticShapes.of(level, NoFiles.AT_ALL), null, Output.DIRECT, Quality.HIGH, character))
                 .explain()
                 .contains("dynamic.held: required by player: a body that is held");
     }

@@ -74,7 +74,8 @@ class TargetReadsGlTest {
             levels().forEach((name, level) -> {
                 Set<Target> written = EnumSet.noneOf(Target.class);
                 Scene scene = Scene.of(level, TestAssets.NONE);
-                FrameRequest request = FrameRequest.of(level, scene.statics(), Output.HDR, Quality.LOW, character);
+                FrameRequest request =
+                        FrameRequest.of(level, scene.statics(), scene.light(), Output.HDR, Quality.LOW, character);
                 try (OwnedObjects owned = new OwnedObjects(offscreen.gl)) {
                     var resources = new RenderResources(owned, LevelRenderer.drawn(owned, scene), request, null);
                     for (FramePlan.Step step : FramePlan.of(request).steps()) {

@@ -84,7 +84,8 @@ class RehearsalGlTest {
     }
 
     private static Preparation.Prepared prepared(String level) {
-        return Preparation.begin(new LevelName(level), LOW, share -> {}).get();
+        return Preparation.begin(new LevelName(level), LOW, share -> {}, warning -> {})
+                .get();
     }
 
     private static Playthrough walk(Preparation.Prepared prepared) {

@@ -1,10 +1,9 @@
 package nephele.app.command;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import nephele.engine.asset.AtomicFile;
+import nephele.engine.bake.LightBake;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.json.LevelFile;
@@ -16,11 +15,10 @@ import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
-import nephele.host.terminal.PrintedProgress;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bake.BakedSkybox;
+import nephele.lab.bake.LightBaker;
 import nephele.lab.bake.ResumableTrace;
-import nephele.lab.bake.SkyVisibilityBaker;
 import nephele.lab.bake.SkyboxTrace;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -33,8 +31,8 @@ final class BakeCommand implements Command {
     private static final int USUAL_SAMPLES = 4;
     private static final int USUAL_CLOUDED_SAMPLES = 64;
 
-    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
-    private String level;
+    @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "A level file; several only with --light.")
+    private List<String> levels;
 
     @Option(
             names = "--sky",
@@ -67,20 +65,31 @@ final class BakeCommand implements Command {
 
     @Option(
             names = "--light",
-            description = "Write the sky visibility of the level's surfaces into the folder baked beside it.")
+            description = "Write the light of the level's surfaces into the folder baked beside it. An interrupted bake"
+                    + " goes on when the same command is typed again.")
     private boolean isLight;
+
+    @Option(
+            names = "--light-error",
+            paramLabel = "PERCENT",
+            description =
+                    "Standard error at which a point of a surface is done, of its light (default: 2); bakes again.")
+    @OptionRange.Decimal(least = 0.1, most = 50, unit = "percent")
+    private Double lightError;
 
     @Override
     public ExitCode run(Terminal terminal) {
         checkUsage();
-        OpenedLevel opened = new LevelName(level).open();
-        opened.notice().ifPresent(terminal.err()::println);
-        Path file = Path.of(opened.file()).toAbsolutePath();
-        if (isLight) {
-            bakeLight(file, terminal);
-        }
-        if (sky != null) {
-            bakeSky(opened, file.getParent(), terminal);
+        for (String level : levels) {
+            OpenedLevel opened = new LevelName(level).open();
+            opened.notice().ifPresent(terminal.err()::println);
+            Path file = Path.of(opened.file()).toAbsolutePath();
+            if (isLight) {
+                bakeLight(file, terminal);
+            }
+            if (sky != null) {
+                bakeSky(opened, file.getParent(), terminal);
+            }
         }
         return ExitCode.DONE;
     }
@@ -89,19 +98,21 @@ final class BakeCommand implements Command {
         if (sky == null && !isLight) {
             throw CommandFailure.usage("say what to bake: --sky NAME, --light or both");
         }
+        if (sky != null && levels.size() > 1) {
+            throw CommandFailure.usage("--sky bakes one level; name one, or give --light alone");
+        }
+        if (lightError != null && !isLight) {
+            throw CommandFailure.usage("--light-error needs --light");
+        }
         if (sky != null && !sky.matches("[A-Za-z0-9._-]{1,100}")) {
             throw CommandFailure.usage("--sky is a name of letters, digits, '.', '_' and '-', not '" + sky + "'");
         }
     }
 
-    private static void bakeLight(Path file, Terminal terminal) {
-        try {
-            SkyVisibilityBaker.bake(file, PrintedProgress.ofBake(terminal.err()))
-                    .forEach(terminal.out()::println);
-        } catch (IOException failure) {
-            throw CommandFailure.environment(
-                    file + ": its light can't be written beside it: " + AtomicFile.reason(failure), failure);
-        }
+    private void bakeLight(Path file, Terminal terminal) {
+        LightBake.Settings settings = lightError == null ? null : LightBake.Settings.USUAL.withError(lightError / 100);
+        WrittenFile.ofParts(() -> LightBaker.bake(file, settings, terminal.err()))
+                .forEach(terminal.out()::println);
     }
 
     private void bakeSky(OpenedLevel opened, Path folder, Terminal terminal) {

@@ -8,7 +8,6 @@ import nephele.host.named.OpenedLevel;
 import nephele.host.named.Viewpoints;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
-import nephele.host.terminal.PrintedProgress;
 import nephele.host.terminal.Terminal;
 import nephele.lab.bench.Bench;
 import nephele.lab.bench.CalibrationDrawing;
@@ -131,7 +130,7 @@ final class BenchCommand implements Command {
         var views = IntStream.range(0, roundLength(opened))
                 .mapToObj(viewpoint::apply)
                 .toList();
-        var renderer = picture.renderer(opened, gl, null, PrintedProgress.ofBake(System.err));
+        var renderer = picture.renderer(opened, gl, null, System.err);
         try {
             return new LevelDrawing(renderer, views, picture.target(gl));
         } catch (RuntimeException e) {

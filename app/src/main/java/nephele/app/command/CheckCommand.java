@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -18,12 +19,16 @@ import nephele.engine.level.json.AssetPlaces;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.PackageContent;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.rule.LevelRules;
+import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.StoredLight;
 import nephele.host.terminal.ExitCode;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
-/** Prints the problems of levels, one a line, and says so if a level has no error. */
+/** Prints the problems of levels, one a line; says if a level has no error, and whether its light is baked. */
 @picocli.CommandLine.Command
 final class CheckCommand implements Command {
     private static final int MOST_PLACES = 5;
@@ -35,11 +40,13 @@ final class CheckCommand implements Command {
     public ExitCode run(Terminal terminal) {
         boolean isEachGood = true;
         for (var level : levels) {
-            var problems = problems(level);
+            var checked = checked(level);
+            var problems = checked.problems;
             lines(problems, level).forEach(terminal.out()::println);
             boolean isGood = problems.stream().noneMatch(Problem::isError);
             if (isGood) {
                 terminal.out().println(level + ": good" + warnings(problems.size()));
+                checked.light.ifPresent(stored -> terminal.out().println(level + ": " + stored.line(level)));
             }
             isEachGood &= isGood;
         }
@@ -68,26 +75,34 @@ final class CheckCommand implements Command {
         return count == 0 ? "" : count == 1 ? ", with a warning" : ", with " + count + " warnings";
     }
 
-    private static List<Problem> problems(String file) {
-        try {
-            if (isFile(file)) {
-                var path = Path.of(file);
-                return problems(LevelFile.read(path), LevelAssets.beside(path));
+    /** @param light empty for a level with errors, or without surfaces */
+    private record Checked(List<Problem> problems, Optional<StoredLight> light) {
+        static Checked of(Level level, AssetSource assets) {
+            try {
+                List<Problem> problems = LevelRules.check(level, assets);
+                boolean isLit = LightRequirements.hasSurfaces(level)
+                        && problems.stream().noneMatch(Problem::isError);
+                return new Checked(
+                        problems,
+                        isLit ? Optional.of(LevelLight.stored(PlacedLevel.of(level, assets))) : Optional.empty());
+            } catch (AssetException wrong) {
+                // Files that are good one by one, but do not fit into memory together.
+                String place = AssetPlaces.of(level).getOrDefault(wrong.assetId(), wrong.assetId());
+                return new Checked(List.of(Problem.error(place, wrong.getMessage())), Optional.empty());
             }
-            var opened = LevelFile.open(file);
-            return problems(opened.level(), opened.assets());
-        } catch (LevelFormatException wrong) {
-            return wrong.problems();
         }
     }
 
-    private static List<Problem> problems(Level level, AssetSource assets) {
+    private static Checked checked(String file) {
         try {
-            return LevelRules.check(level, assets);
-        } catch (AssetException wrong) {
-            // Files that are good one by one, but do not fit into memory together.
-            String place = AssetPlaces.of(level).getOrDefault(wrong.assetId(), wrong.assetId());
-            return List.of(Problem.error(place, wrong.getMessage()));
+            if (isFile(file)) {
+                var path = Path.of(file);
+                return Checked.of(LevelFile.read(path), LevelAssets.beside(path));
+            }
+            var opened = LevelFile.open(file);
+            return Checked.of(opened.level(), opened.assets());
+        } catch (LevelFormatException wrong) {
+            return new Checked(wrong.problems(), Optional.empty());
         }
     }
 

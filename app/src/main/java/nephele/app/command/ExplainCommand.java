@@ -10,6 +10,8 @@ import nephele.engine.level.json.NumberText;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.sim.state.Assist;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
@@ -39,6 +41,9 @@ final class ExplainCommand implements Command {
                             + (gun.toFloor()
                                     ? ": required by portalGun: its portals slide down to floors"
                                     : ": not required: portalGun.toFloor is false"));
+        }
+        if (LightRequirements.hasSurfaces(opened.level())) {
+            terminal.out().println(LevelLight.stored(opened.placed()).line(level));
         }
         CloudExplanation.lines(opened.placed()).forEach(terminal.out()::println);
         guidance(opened.level()).forEach(terminal.out()::println);

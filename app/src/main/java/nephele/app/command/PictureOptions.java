@@ -1,5 +1,6 @@
 package nephele.app.command;
 
+import java.io.PrintStream;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -13,7 +14,6 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.LevelLight;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -89,13 +89,17 @@ final class PictureOptions {
         return RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
     }
 
-    /** @param forced replaces the requested output, or null */
-    Renderer renderer(OpenedLevel opened, GlContext gl, Output forced, PrintedProgress progress) {
+    /**
+     * @param forced replaces the requested output, or null
+     * @param err receives the progress of a bake, and a warning about baked light that is ignored
+     */
+    Renderer renderer(OpenedLevel opened, GlContext gl, Output forced, PrintStream err) {
         var choice = choice();
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.drawn(opened);
-        return LevelRenderer.load(gl, Scene.of(shown, LevelLight.of(shown, progress)), settings);
+        var light = choice.light(shown, opened.file(), PrintedProgress.ofBake(err), err::println);
+        return LevelRenderer.load(gl, Scene.of(shown, light), settings);
     }
 
     /** The names of all settings, for the help. */

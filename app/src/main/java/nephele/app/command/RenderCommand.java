@@ -28,7 +28,6 @@ import nephele.host.named.Viewpoints;
 import nephele.host.playthrough.ObserverView;
 import nephele.host.terminal.CommandFailure;
 import nephele.host.terminal.ExitCode;
-import nephele.host.terminal.PrintedProgress;
 import nephele.host.terminal.Terminal;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -141,7 +140,7 @@ final class RenderCommand implements Command {
     }
 
     private Renderer renderer(OpenedLevel opened, GlContext gl, Terminal terminal) {
-        return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
+        return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, terminal.err());
     }
 
     /** Returns a notice for options without effect: nothing moves. */

@@ -21,7 +21,8 @@ final class Loading {
         preparation = Preparation.begin(
                 request.level(),
                 request.chosenQuality(),
-                fraction -> bakedPercent.accumulateAndGet((int) (100 * fraction), Math::max));
+                fraction -> bakedPercent.accumulateAndGet((int) (100 * fraction), Math::max),
+                System.err::println);
     }
 
     static Loading begin(PlayRequest request) {

@@ -54,8 +54,7 @@ public final class OffscreenWalk {
 
     /** Plays the replay to its end. */
     public void run() throws IOException {
-        var preparation =
-                Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
+        var preparation = preparation();
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
                 var picture = SessionPicture.load(gl, request, preparation.get(), Optional.empty())) {
@@ -73,8 +72,7 @@ public final class OffscreenWalk {
     /** Draws only the first frame and reports the time of each part of the start. */
     public void profileStart(StartProfile profile) {
         profile.done("arguments");
-        var preparation =
-                Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
+        var preparation = preparation();
         try (var gl = GlContext.offscreen();
                 var target = target(gl)) {
             profile.done("context");
@@ -90,6 +88,11 @@ public final class OffscreenWalk {
                 profile.report().forEach(out::println);
             }
         }
+    }
+
+    private Preparation preparation() {
+        return Preparation.begin(
+                request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err), System.err::println);
     }
 
     private void drawAll(GlContext gl, SessionPicture picture, RenderTarget target, Playthrough playthrough)

@@ -293,6 +293,7 @@ public enum Phrase {
     FIGURE_SLOWEST("slowest", "mais lento", "mais lenta"),
     FIGURE_OF_BUDGET("%s of %s ms", "%s de %s ms", "%s de %s ms"),
     RESOLUTION_SHARE("resolution %s", "resolução %s", "resolução %s"),
+    STEP_BAKED_LIGHT("baked-light", "luz pré-calculada", "luz pré-calculada"),
     STEP_BILLBOARD("billboard", "placas", "placas"),
     STEP_BILLBOARD_BLENDED("billboard.blended", "placas translúcidas", "placas translúcidas"),
     STEP_CLEAR("clear", "limpeza", "limpeza"),

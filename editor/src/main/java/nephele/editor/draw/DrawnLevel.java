@@ -20,6 +20,7 @@ import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.StoredLight;
 import nephele.engine.scene.light.bake.BakedLight;
 
 /** One document on the GPU, in the view modes that were used so far. What cannot be drawn is left out and reported. */
@@ -53,6 +54,9 @@ final class DrawnLevel implements AutoCloseable {
     private CompletableFuture<BakedLight> bake;
     /** The last light that was ready; {@code null} for none. */
     private BakedLight light;
+
+    /** Why baked light is not drawn; {@code null} if there is none, or it is. */
+    private volatile String ignored;
 
     private volatile boolean isClosed;
 
@@ -190,15 +194,24 @@ final class DrawnLevel implements AutoCloseable {
         }
     }
 
-    /** Bakes the sky's light of this version in the background if it has any, its shapes differ, and no bake runs. */
+    /**
+     * Reads the light of this version in the background, if its shapes differ and nothing of the kind runs, and bakes that
+     * of the sky if it has any.
+     */
     void bake() {
-        boolean isNew = placed.statics() != lit && LightRequirements.skyVisibility(placed.level());
+        boolean isNew = placed.statics() != lit && (lit == null || LightRequirements.skyVisibility(placed.level()));
         if (isNew && bake == null) {
             lit = placed.statics();
             PlacedLevel baked = placed;
-            bake = CompletableFuture.supplyAsync(() -> LevelLight.of(baked, this::progress), executor);
+            bake = CompletableFuture.supplyAsync(() -> LevelLight.of(baked, this::progress, this::report), executor);
             bake.whenComplete((visibility, failure) -> repaintSoon.run());
         }
+    }
+
+    private void report(StoredLight stored) {
+        String name =
+                assets.levelFile().map(file -> file.getFileName().toString()).orElse("LEVEL");
+        ignored = stored.warning(name).orElse(null);
     }
 
     private void progress(double done) {
@@ -213,6 +226,10 @@ final class DrawnLevel implements AutoCloseable {
         messages.addAll(failures.values());
         if (levelFailure != null) {
             messages.add(levelFailure);
+        }
+        String warning = ignored;
+        if (warning != null) {
+            messages.add(warning);
         }
         return messages;
     }

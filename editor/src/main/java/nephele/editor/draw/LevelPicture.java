@@ -96,10 +96,10 @@ final class LevelPicture implements AutoCloseable {
     }
 
     private static BakedLight first(Level level, BakedLight light) {
-        if (!LightRequirements.skyVisibility(level)) {
-            return null;
+        if (LightRequirements.skyVisibility(level)) {
+            return light == null ? BakedLight.open() : light;
         }
-        return light == null ? BakedLight.open() : light;
+        return light == null || light.indirect() == null ? null : light;
     }
 
     private PlacedLevel placed(PlacedLevel base, Level level) {

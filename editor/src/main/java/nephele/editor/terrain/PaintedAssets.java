@@ -33,6 +33,11 @@ public record PaintedAssets(PaintedMaps maps, AssetSource files) implements Asse
     }
 
     @Override
+    public Optional<Path> levelFile() {
+        return files.levelFile();
+    }
+
+    @Override
     public Optional<Path> cacheFolder() {
         return files.cacheFolder();
     }

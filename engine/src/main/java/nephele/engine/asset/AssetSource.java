@@ -32,8 +32,13 @@ public interface AssetSource {
     /** Returns true if {@link #bytes} would find the asset. */
     boolean exists(String assetId);
 
+    /** Returns the file of the level whose assets these are; empty for one in the jar. */
+    default Optional<Path> levelFile() {
+        return Optional.empty();
+    }
+
     /** Returns a folder for derived files, which {@link #bytes} then finds below {@code cache/}; empty for none. */
     default Optional<Path> cacheFolder() {
-        return Optional.empty();
+        return levelFile().map(file -> file.resolveSibling("cache"));
     }
 }

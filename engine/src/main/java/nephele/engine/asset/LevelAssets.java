@@ -15,16 +15,18 @@ public final class LevelAssets implements AssetSource {
 
     private final List<AssetSource> sources;
 
-    private final Path folder;
+    /** {@code null} in the jar. */
+    private final Path levelFile;
 
-    private LevelAssets(List<AssetSource> sources, Path folder) {
+    private LevelAssets(List<AssetSource> sources, Path levelFile) {
         this.sources = List.copyOf(sources);
-        this.folder = folder;
+        this.levelFile = levelFile;
     }
 
     /** Returns the assets of a level in the file system; the level file need not exist yet. */
     public static LevelAssets beside(Path levelFile) {
-        Path folder = levelFile.toAbsolutePath().normalize().getParent();
+        Path file = levelFile.toAbsolutePath().normalize();
+        Path folder = file.getParent();
         List<AssetSource> sources = new ArrayList<>();
         sources.add(new FolderAssets(folder));
         for (Path above = folder.getParent(); above != null; above = above.getParent()) {
@@ -32,7 +34,7 @@ public final class LevelAssets implements AssetSource {
         }
         addCheckout(sources, Path.of("").toAbsolutePath());
         sources.add(new ResourceAssets(JAR_ASSETS));
-        return new LevelAssets(sources, folder);
+        return new LevelAssets(sources, file);
     }
 
     /**
@@ -60,14 +62,14 @@ public final class LevelAssets implements AssetSource {
     public LevelAssets or(AssetSource others) {
         List<AssetSource> all = new ArrayList<>(sources);
         all.add(others);
-        return new LevelAssets(all, folder);
+        return new LevelAssets(all, levelFile);
     }
 
     /** Returns the assets of another source, and behind them these. */
     public LevelAssets behind(AssetSource others) {
         List<AssetSource> all = new ArrayList<>(List.of(others));
         all.addAll(sources);
-        return new LevelAssets(all, folder);
+        return new LevelAssets(all, levelFile);
     }
 
     /** Adds the assets of a checkout, which is a folder with {@code assets} beside {@code levels}. */
@@ -89,8 +91,8 @@ public final class LevelAssets implements AssetSource {
     }
 
     @Override
-    public Optional<Path> cacheFolder() {
-        return Optional.ofNullable(folder).map(beside -> beside.resolve("cache"));
+    public Optional<Path> levelFile() {
+        return Optional.ofNullable(levelFile);
     }
 
     @Override

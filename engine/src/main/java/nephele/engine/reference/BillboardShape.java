@@ -164,6 +164,11 @@ final class BillboardShape implements TracedShape {
     }
 
     @Override
+    public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+        return null;
+    }
+
+    @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         Spot spot = spot(path.ray());
         Vec3 front = spot.axes().front();

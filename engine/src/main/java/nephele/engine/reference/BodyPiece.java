@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
@@ -55,6 +56,35 @@ record BodyPiece(int body, BodyShape form, Vec3 centre, Matrix3d worldFromBody, 
     @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         return looks.bodies().at(path.item(), this, place, toEye);
+    }
+
+    @Override
+    public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+        Vec3 radiance = looks.bodies().emission(body);
+        double density = EmissiveSurfaces.brightness(radiance);
+        return density == 0 ? null : new Lit(this, radiance, density);
+    }
+
+    /** The light of a body, from evenly chosen places of all its surface. */
+    private record Lit(BodyPiece piece, Vec3 radiance, double density) implements EmissiveSurfaces.Emitter {
+        @Override
+        public double power() {
+            return piece.form.squareMetres() * density;
+        }
+
+        @Override
+        public EmissiveSurfaces.Source source(SplittableRandom random) {
+            Vector3d local = piece.form.place(random);
+            Vector3d normal = piece.worldFromBody.transform(piece.form.normal(local));
+            Vec3 place = piece.centre.plus(Vec3.of(piece.worldFromBody.transform(local)));
+            boolean isCut = piece.cuts.stream().anyMatch(cut -> cut.signedDistance(place) < 0);
+            return isCut ? null : new EmissiveSurfaces.Source(place, Vec3.of(normal), radiance, density);
+        }
+
+        @Override
+        public double density(EyePath path) {
+            return density;
+        }
     }
 
     private Span span(Ray ray) {

@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import java.util.SplittableRandom;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -70,6 +71,12 @@ sealed interface BodyShape {
     /** Returns the outward unit normal at a point of the surface. */
     Vector3d normal(Vector3dc p);
 
+    /** Returns the area of the surface. */
+    double squareMetres();
+
+    /** Returns a random point of the surface, evenly by area. */
+    Vector3d place(SplittableRandom random);
+
     /** Returns the extent from the centre along a unit direction. */
     double reach(Vector3dc direction);
 
@@ -99,6 +106,23 @@ sealed interface BodyShape {
         public Vector3d normal(Vector3dc p) {
             int face = face(p);
             return new Vector3d().setComponent(face / 2, (face & 1) == 0 ? 1 : -1);
+        }
+
+        @Override
+        public double squareMetres() {
+            return 8 * (half.x() * half.y() + half.y() * half.z() + half.z() * half.x());
+        }
+
+        @Override
+        public Vector3d place(SplittableRandom random) {
+            double[] h = {half.x(), half.y(), half.z()};
+            double at = random.nextDouble() * squareMetres() / 8;
+            int axis = at < h[1] * h[2] ? 0 : at < h[1] * h[2] + h[2] * h[0] ? 1 : 2;
+            Vector3d p = new Vector3d(
+                    h[0] * (2 * random.nextDouble() - 1),
+                    h[1] * (2 * random.nextDouble() - 1),
+                    h[2] * (2 * random.nextDouble() - 1));
+            return p.setComponent(axis, random.nextInt(2) == 0 ? -h[axis] : h[axis]);
         }
 
         @Override
@@ -139,6 +163,21 @@ sealed interface BodyShape {
             return new Vector3d(p)
                     .sub(0, Math.min(Math.max(p.y(), -halfAxis), halfAxis), 0)
                     .normalize();
+        }
+
+        @Override
+        public double squareMetres() {
+            return 4 * Math.PI * radius * (radius + halfAxis);
+        }
+
+        /** A sphere's height over its middle is as even as that of the barrel between its halves (Archimedes). */
+        @Override
+        public Vector3d place(SplittableRandom random) {
+            double height = (2 * random.nextDouble() - 1) * (radius + halfAxis);
+            double inCap = Math.copySign(Math.max(Math.abs(height) - halfAxis, 0), height);
+            double angle = 2 * Math.PI * random.nextDouble();
+            double flat = Math.sqrt(radius * radius - inCap * inCap);
+            return new Vector3d(flat * StrictMath.cos(angle), height, flat * StrictMath.sin(angle));
         }
 
         @Override

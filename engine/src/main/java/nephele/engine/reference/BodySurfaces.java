@@ -43,6 +43,11 @@ final class BodySurfaces {
                 .toList();
     }
 
+    /** Returns the radiance that a body emits. */
+    Vec3 emission(int body) {
+        return skins.get(body).material().emission();
+    }
+
     /**
      * Returns a point of a body's surface.
      *

@@ -13,7 +13,7 @@ import org.joml.Vector3dc;
  * Lambert part (Malley's method), normals visible to the eye for the GGX lobe (Heitz 2018; sampled as a spherical cap,
  * Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps").
  */
-final class BrdfSampling {
+final class BrdfSampling implements PathVertex.DirectionSampling {
     private final SurfacePoint surface;
     private final Vector3d across;
     private final Vector3d up;
@@ -40,8 +40,8 @@ final class BrdfSampling {
         return v.x() + v.y() + v.z();
     }
 
-    /** Returns a random unit direction; one below the surface carries no light. */
-    Vector3d direction(SplittableRandom random) {
+    @Override
+    public Vector3d direction(SplittableRandom random) {
         boolean isSpecular = random.nextDouble() < specularProbability;
         double square = random.nextDouble();
         double angle = 2 * Math.PI * random.nextDouble();
@@ -72,8 +72,8 @@ final class BrdfSampling {
         return new Vector3d(surface.normal()).mul(z).fma(x, across).fma(y, up);
     }
 
-    /** Returns the density per steradian of {@link #direction} in a unit direction. */
-    double density(Vector3dc towards) {
+    @Override
+    public double density(Vector3dc towards) {
         double cosine = Math.max(0, surface.normal().dot(towards));
         double diffuse = (1 - specularProbability) * cosine / Math.PI;
         return specularProbability == 0 ? diffuse : diffuse + specularProbability * lobeDensity(towards);

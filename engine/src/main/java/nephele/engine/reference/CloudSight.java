@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -33,27 +34,41 @@ final class CloudSight {
     /**
      * The first collision on a path.
      *
-     * @param segment of the path that it is on
-     * @param ray along the segment
+     * @param parts of the path up to it
+     * @param ray along the last of them
      */
-    record Met(CloudMedia.Collision collision, Segment segment, Ray ray) {
+    record Met(CloudMedia.Collision collision, List<Segment> parts, Ray ray) {
+        /** Returns the part of the path that ends at it. */
+        Segment segment() {
+            return parts.get(parts.size() - 1);
+        }
+
+        Vec3 place() {
+            return ray.at(collision.metres());
+        }
+
+        PathVertex.InCloud vertex() {
+            return new PathVertex.InCloud(place(), segment().direction(), collision.medium());
+        }
+
         /** Returns the length of the path from the eye. */
         double metres() {
-            return segment.metresBefore() + collision.metres();
+            return segment().metresBefore() + collision.metres();
         }
     }
 
     /** Returns a random first collision, or {@code null} if the path passes all clouds. */
     Met first(EyePath path, SplittableRandom random) {
-        List<Segment> segments = path.segments();
+        List<Segment> segments = path.partsToEnd();
         for (int i = 0; i < segments.size(); i++) {
             Segment segment = segments.get(i);
-            boolean isEndless = path.endsInTheOpen() && i == segments.size() - 1;
             Ray ray = Ray.of(segment.origin(), segment.direction());
-            double end = isEndless ? around.reachMetres(ray) : segment.metres();
+            double end = Double.isInfinite(segment.metres()) ? around.reachMetres(ray) : segment.metres();
             CloudMedia.Collision collision = media.collision(ray, 0, end, random);
             if (collision != null) {
-                return new Met(collision, segment, ray);
+                List<Segment> parts = new ArrayList<>(segments.subList(0, i));
+                parts.add(segment.shortened(collision.metres()));
+                return new Met(collision, parts, ray);
             }
         }
         return null;

@@ -71,6 +71,10 @@ final class EyePath {
             return origin.addScaled(-metresBefore, direction);
         }
 
+        private Segment endless() {
+            return new Segment(origin, direction, Double.POSITIVE_INFINITY, metresBefore, tint);
+        }
+
         /** Returns its part up to a distance from its origin; empty if that is negative. */
         Segment shortened(double most) {
             return most < metres ? new Segment(origin, direction, most, metresBefore, tint) : this;
@@ -166,6 +170,16 @@ final class EyePath {
     /** Returns the straight parts of the path in order, to its end or to the far limit. */
     List<Segment> segments() {
         return segments;
+    }
+
+    /** Returns the straight parts of the path in order; one that ends in the open has no end. */
+    List<Segment> partsToEnd() {
+        if (!endsInTheOpen) {
+            return segments;
+        }
+        List<Segment> parts = new ArrayList<>(segments);
+        parts.set(parts.size() - 1, lastSegment().endless());
+        return parts;
     }
 
     Segment lastSegment() {

@@ -1,6 +1,8 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.appearance.FaceTexture;
@@ -16,7 +18,8 @@ final class FaceMaterials {
 
     private final Face[][] faces;
 
-    private record Face(Vector3dc normal, FaceTexture texture, Vector3dc across, Vector3dc up, Skin skin) {}
+    private record Face(
+            List<Vec3> polygon, Vector3dc normal, FaceTexture texture, Vector3dc across, Vector3dc up, Skin skin) {}
 
     private FaceMaterials(Face[][] faces) {
         this.faces = faces;
@@ -33,6 +36,7 @@ final class FaceMaterials {
     private static Face face(BrushFace face, Skin skin) {
         FaceTexture texture = FaceTexture.of(face, skin.material().textureMetres());
         return new Face(
+                face.polygon(),
                 face.plane().normal().toVector(),
                 texture,
                 texture.across().toVector(),
@@ -58,6 +62,47 @@ final class FaceMaterials {
     /** Returns the outward unit normal of a face. */
     Vec3 normal(int solid, int face) {
         return Vec3.of(faces[solid][face].normal);
+    }
+
+    /** Returns the triangles of the emissive faces of a solid; a mirror is none, as paths never end on it. */
+    EmissiveSurfaces.Triangles lit(int solid, TracedSolid shape) {
+        List<int[]> fans = new ArrayList<>();
+        for (int face = 0; face < faces[solid].length; face++) {
+            boolean isLit = !isMirror(solid, face) && EmissiveSurfaces.brightness(emission(solid, face)) > 0;
+            for (int i = 2; isLit && i < faces[solid][face].polygon.size(); i++) {
+                fans.add(new int[] {face, 0, i - 1, i});
+            }
+        }
+        return new EmissiveSurfaces.Triangles() {
+            @Override
+            public int count() {
+                return fans.size();
+            }
+
+            @Override
+            public Vec3 corner(int triangle, int corner) {
+                int[] fan = fans.get(triangle);
+                return faces[solid][fan[0]].polygon.get(fan[corner + 1]);
+            }
+
+            @Override
+            public Vec3 radiance(int triangle, Vec3 place) {
+                return emission(solid, fans.get(triangle)[0]);
+            }
+
+            @Override
+            public int at(EyePath path) {
+                int face = shape.face(path.ray());
+                return IntStream.range(0, fans.size())
+                        .filter(i -> fans.get(i)[0] == face)
+                        .findFirst()
+                        .orElseThrow();
+            }
+        };
+    }
+
+    private Vec3 emission(int solid, int face) {
+        return faces[solid][face].skin.material().emission();
     }
 
     /**

@@ -69,15 +69,70 @@ final class GroundShape implements TracedShape {
     }
 
     @Override
+    public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+        boolean isDark = true;
+        for (int i = 0; i < layers.count(); i++) {
+            isDark &= EmissiveSurfaces.brightness(emission(i, looks)) == 0;
+        }
+        return isDark ? null : EmissiveSurfaces.of(new Lit(looks));
+    }
+
+    private Vec3 emission(int layer, SurfaceAppearance looks) {
+        return looks.textures().skin(layers.material(layer)).material().emission();
+    }
+
+    /** The triangles, with the light of the layers' weighted mean. */
+    private final class Lit implements EmissiveSurfaces.Triangles {
+        private final SurfaceAppearance looks;
+
+        Lit(SurfaceAppearance looks) {
+            this.looks = looks;
+        }
+
+        @Override
+        public int count() {
+            return field.triangles();
+        }
+
+        @Override
+        public Vec3 corner(int triangle, int corner) {
+            return field.corner(triangle, corner);
+        }
+
+        @Override
+        public Vec3 radiance(int triangle, Vec3 place) {
+            double[] weights = weights(place, HeightFieldSurface.normal(field, place.x(), place.z()));
+            Vec3 sum = Vec3.ZERO;
+            for (int i = 0; i < weights.length; i++) {
+                sum = sum.addScaled(weights[i], emission(i, looks));
+            }
+            return sum;
+        }
+
+        @Override
+        public int at(EyePath path) {
+            RayHit hit = new RayHit();
+            nearest(path.ray(), path.end(), hit);
+            return hit.item();
+        }
+    }
+
+    /** Returns the weights of the layers at a place. */
+    private double[] weights(Vec3 place, Vec3 smooth) {
+        double[] weights = new double[layers.count()];
+        layers.weights(place.y() - grid.authored().centre().y(), smooth.y(), weights);
+        paint.ifPresent(over -> over.over(place.x(), place.z(), weights));
+        return weights;
+    }
+
+    @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         RayHit hit = new RayHit();
         nearest(path.ray(), path.end(), hit);
         Vector3d faceNormal = field.normal(hit.item()).toVector();
         Vec3 smooth = HeightFieldSurface.normal(field, place.x(), place.z());
         Mixture mixture = new Mixture(smooth);
-        double[] weights = new double[layers.count()];
-        layers.weights(place.y() - grid.authored().centre().y(), smooth.y(), weights);
-        paint.ifPresent(over -> over.over(place.x(), place.z(), weights));
+        double[] weights = weights(place, smooth);
         for (int i = 0; i < weights.length; i++) {
             if (weights[i] > 0) {
                 mixture.add(weights[i], looks.textures().skin(layers.material(i)), place);

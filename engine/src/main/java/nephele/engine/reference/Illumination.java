@@ -16,6 +16,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
 import nephele.engine.reference.sky.SkyCover;
+import nephele.engine.reference.volume.DistantLight;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -100,17 +101,16 @@ final class Illumination {
         return surface.reflected(all, all);
     }
 
-    boolean sunCastsShadow() {
-        return sun != null && sun.castsShadow();
-    }
-
     /** Returns the unit direction; meaningless without a sun. */
     Vector3dc towardsSun() {
         return towardsSun;
     }
 
-    Vector3d sunIrradiance() {
-        return sun.irradiance().toVector();
+    /** Returns the sun if it casts shadows. */
+    List<DistantLight> castingSun() {
+        return sun != null && sun.castsShadow()
+                ? List.of(new DistantLight.Even(Vec3.of(towardsSun), sun.irradiance()))
+                : List.of();
     }
 
     List<PunctualLight> lamps() {
@@ -134,8 +134,8 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(
-            SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
+    /** Adds the light of the sun. */
+    void addSun(SurfacePoint surface, Vector3d origin, Shafts.ShadowRays shadows, PixelSample sample, Vector3d sum) {
         if (surface.isTowards(towardsSun)
                 && !(sun.castsShadow()
                         && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
@@ -146,7 +146,8 @@ final class Illumination {
         }
     }
 
-    private void addLight(
+    /** Adds the light of a lamp. */
+    void addLight(
             int index,
             SurfacePoint surface,
             Vector3d origin,

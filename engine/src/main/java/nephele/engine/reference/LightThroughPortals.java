@@ -9,11 +9,12 @@ import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.reference.volume.DistantLight;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Direct light of sun and lamps that reaches a surface through open portals. Through each crossing word, a sequence of
+ * Direct light of sun, moon and lamps that reaches a surface or a place in a cloud through open portals. Through each crossing word, a sequence of
  * portals, a light has an image; a ray towards it counts if it crosses just that word and nothing blocks it. Words are
  * followed as deep as the solid angle of their last portal survives Russian roulette. Use one per thread.
  */
@@ -29,7 +30,8 @@ final class LightThroughPortals {
     private final EyePath path;
     private final Illumination light;
     private final List<Integer> word = new ArrayList<>();
-    private SurfacePoint surface;
+    private PathVertex lit;
+    private List<DistantLight> distant;
     private SplittableRandom random;
     private Vector3d sum;
 
@@ -41,20 +43,25 @@ final class LightThroughPortals {
         open = IntStream.range(0, portals.size()).filter(portals::isOpen).toArray();
     }
 
-    /** Returns a random RGB radiance towards the eye whose mean is the surface's by light through portals. */
-    Vector3d radiance(SurfacePoint at, SplittableRandom numbers) {
-        surface = at;
+    /**
+     * Returns a random RGB radiance towards the eye whose mean is the vertex's by light through portals.
+     *
+     * @param lights from outside that cast shadows
+     */
+    Vector3d radiance(PathVertex at, List<DistantLight> lights, SplittableRandom numbers) {
+        lit = at;
+        distant = lights;
         random = numbers;
         sum = new Vector3d();
         word.clear();
-        follow(Illumination.lifted(at), 1, 0);
+        follow(at.rayOrigin(), 1, 0);
         return sum;
     }
 
     /**
      * Follows all words that begin with the current one.
      *
-     * @param from the surface as it is visible from behind the word's portals
+     * @param from the vertex as it is visible from behind the word's portals
      * @param strength the inverse of the probability that roulette has followed the word
      * @param hash of the word, as {@link EyePath#pathHash}
      */
@@ -92,12 +99,13 @@ final class LightThroughPortals {
         return Math.hypot(portal.aperture().widthMetres(), portal.aperture().heightMetres()) / 2;
     }
 
-    /** Returns false if no ray from the word's last exit, or from the lit side of the surface, enters a portal. */
+    /** Returns false if no ray from the word's last exit, or from the lit side of a surface, enters a portal. */
     private boolean mayFollow(int entry) {
         Portal portal = portals.portal(entry);
         Vector3d centre = portal.centre().toVector();
         if (word.isEmpty()) {
-            return surface.faceNormal().dot(centre.sub(surface.place().toVector())) > -radius(portal);
+            return !(lit instanceof SurfacePoint surface)
+                    || surface.faceNormal().dot(centre.sub(surface.place().toVector())) > -radius(portal);
         }
         Portal exit = portals.portal(portals.partner(word.get(word.size() - 1)));
         return exit.inFront(centre.x, centre.y, centre.z) > -radius(portal);
@@ -105,9 +113,12 @@ final class LightThroughPortals {
 
     private void addLights(Vector3dc beyond, double strength, long hash) {
         Portal exit = portals.portal(portals.partner(word.get(word.size() - 1)));
-        if (light.sunCastsShadow() && passes(exit, beyond, light.towardsSun())) {
-            Vector3d towards = beforeWord(light.towardsSun());
-            add(towards, Double.POSITIVE_INFINITY, light.sunIrradiance(), strength, hash);
+        for (DistantLight far : distant) {
+            Vector3d towards = far.towards().toVector();
+            if (passes(exit, beyond, towards)) {
+                Vector3d irradiance = far.irradiance(exit.centre()).toVector();
+                add(beforeWord(towards), Double.POSITIVE_INFINITY, irradiance, strength, hash);
+            }
         }
         for (PunctualLight lamp : light.lamps()) {
             Vector3d towards = lamp.position().toVector().sub(beyond);
@@ -141,10 +152,10 @@ final class LightThroughPortals {
 
     /** @param end parameter of the light along {@code towards} */
     private void add(Vector3d towards, double end, Vector3dc irradiance, double strength, long hash) {
-        if (surface.faceNormal().dot(towards) <= 0 || irradiance.x() + irradiance.y() + irradiance.z() == 0) {
+        if (!lit.isReachedFrom(towards) || irradiance.x() + irradiance.y() + irradiance.z() == 0) {
             return;
         }
-        boolean isBlocked = path.trace(Illumination.lifted(surface), towards, 0, end);
+        boolean isBlocked = path.trace(lit.rayOrigin(), towards, 0, end);
         if (isBlocked || path.pathHash() != hash) {
             return;
         }
@@ -153,6 +164,6 @@ final class LightThroughPortals {
             passed *= light.passedByClouds(
                     segment.origin().toVector(), segment.direction().toVector(), segment.metres(), random);
         }
-        sum.add(surface.reflected(towards.normalize()).mul(irradiance).mul(strength * passed));
+        sum.add(lit.reflected(towards.normalize()).mul(irradiance).mul(strength * passed));
     }
 }

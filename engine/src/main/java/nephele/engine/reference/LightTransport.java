@@ -7,6 +7,9 @@ package nephele.engine.reference;
  * @param passesPortals true if light passes open portals as eye rays do; meaningless without bounces
  */
 public record LightTransport(int bounces, boolean passesPortals) {
+    /** Raise it whenever a picture of light that bounces changes while none of direct light does. */
+    private static final int REVISION = 3;
+
     /** Light straight from sun, sky and lamps. */
     public static final LightTransport DIRECT = new LightTransport(0, false);
 
@@ -21,6 +24,7 @@ public record LightTransport(int bounces, boolean passesPortals) {
 
     /** Returns words for keys of kept pictures; none for {@link #DIRECT}, whose keys are older than bounces. */
     public String key() {
-        return bounces == 0 ? "" : " bounces " + bounces + (passesPortals ? " through portals" : "");
+        String portals = passesPortals ? " through portals" : "";
+        return bounces == 0 ? "" : " bounces " + bounces + portals + " revision " + REVISION;
     }
 }

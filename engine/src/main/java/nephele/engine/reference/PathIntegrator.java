@@ -1,39 +1,47 @@
 package nephele.engine.reference;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.EyePath.Segment;
 import nephele.engine.reference.SampleSequence.PixelSample;
+import nephele.engine.reference.volume.DistantLight;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Follows light from a surface back to its sources: a random path over surfaces, with next-event estimation towards sun,
- * lamps and emissive faces at each of them. Emission that both the estimation and the path may find is weighted between
+ * Follows light from a surface or a place in a cloud back to its sources: a random path over such places, with next-event
+ * estimation towards sun, lamps and emissive surfaces at each of them. Emission that both the estimation and the path may find is weighted between
  * the two by the power heuristic (Veach 1997, section 9.2.4); weak paths end by Russian roulette, whose survivors are
  * strengthened, so that no number of bounces is the greatest. Use one per thread.
  */
 final class PathIntegrator {
-    /** The number of bounces before roulette begins. */
-    private static final int SURE_BOUNCES = 3;
+    /** The number of turns of a path before roulette begins. */
+    private static final int SURE_TURNS = 3;
 
     private final TracedLevel level;
     private final EyePath path;
     private final Shafts.ShadowRays shadows;
     /** {@code null} without clouds. */
     private final CloudSight clouds;
+    /** {@code null} without clouds. */
+    private final CloudScattering scattering;
     /** {@code null} if light passes no portals. */
     private final LightThroughPortals throughPortals;
 
     private final int mostBounces;
+    private final Estimation estimation;
     private final Vector3d weight = new Vector3d();
     private final Vector3d sum = new Vector3d();
 
-    PathIntegrator(TracedLevel level, LightTransport transport, Shafts.ShadowRays shadows) {
+    PathIntegrator(TracedLevel level, LightTransport transport, Shafts.ShadowRays shadows, Estimation estimation) {
+        this.estimation = estimation;
         this.level = level;
         this.shadows = shadows;
         mostBounces = transport.bounces();
         path = level.path(transport.passesPortals());
         clouds = level.cloudSight().orElse(null);
+        scattering = level.cloudScattering(transport.passesPortals()).orElse(null);
         throughPortals = transport.passesPortals()
                 ? new LightThroughPortals(level.portals(), level.path(true), level.light())
                 : null;
@@ -41,20 +49,52 @@ final class PathIntegrator {
 
     /** Returns a random RGB radiance whose mean is what leaves the surface towards the eye. */
     Vector3d radiance(SurfacePoint visible, PixelSample sample) {
-        SplittableRandom random = sample.random();
         weight.set(1);
         sum.set(0).add(emission(visible)).add(level.light().constantAmbient(visible));
-        SurfacePoint surface = visible.reciprocal();
-        for (int bounce = 0; surface != null; bounce++) {
-            addReflected(level.light().direct(surface, shadows, sample));
-            if (throughPortals != null) {
-                addReflected(throughPortals.radiance(surface, random));
-            }
-            addEmissiveFace(surface, random);
-            SurfacePoint beyond = next(surface, bounce, sample);
-            surface = bounce == mostBounces ? null : beyond;
-        }
+        follow(visible.reciprocal(), -1, sample);
         return new Vector3d(sum);
+    }
+
+    /** Returns a random RGB radiance whose mean is what a cloud scatters towards the eye at one place. */
+    Vector3d radiance(PathVertex.InCloud visible, PixelSample sample) {
+        weight.set(1);
+        sum.set(0);
+        follow(visible, 0, sample);
+        return new Vector3d(sum);
+    }
+
+    /** Returns a random RGB radiance whose mean, beside that of clouds' places, is what clouds scatter along a path. */
+    Vector3d lampsAlong(List<Segment> parts, CloudScattering.Attenuation before, SplittableRandom random) {
+        return scattering == null ? new Vector3d() : scattering.lampsAlong(parts, before, random);
+    }
+
+    /** @param bounces the number of surfaces that light has met between the path's beginning and this vertex */
+    private void follow(PathVertex first, int bounces, PixelSample sample) {
+        int surfaces = bounces;
+        PathVertex at = first;
+        for (int turns = 0; at != null; turns++) {
+            if (at instanceof SurfacePoint && ++surfaces > mostBounces) {
+                return;
+            }
+            addDirect(at, sample);
+            addEmissive(at, sample.random());
+            at = next(at, turns, sample.random());
+        }
+    }
+
+    /** Adds the light of sun, moon and lamps. */
+    private void addDirect(PathVertex at, PixelSample sample) {
+        List<DistantLight> distant;
+        if (at instanceof PathVertex.InCloud inCloud) {
+            addReflected(scattering.direct(inCloud, sample.random()));
+            distant = scattering.distantLights();
+        } else {
+            addReflected(level.light().direct((SurfacePoint) at, shadows, sample));
+            distant = level.light().castingSun();
+        }
+        if (throughPortals != null) {
+            addReflected(throughPortals.radiance(at, distant, sample.random()));
+        }
     }
 
     private static Vector3d emission(SurfacePoint surface) {
@@ -65,76 +105,115 @@ final class PathIntegrator {
         sum.add(radiance.mul(weight));
     }
 
-    /** Adds the light of a random point of the emissive faces. */
-    private void addEmissiveFace(SurfacePoint surface, SplittableRandom random) {
-        EmissiveFaces faces = level.emissiveFaces();
-        if (faces.isEmpty()) {
+    /** Adds the light of a random place of the emissive surfaces. */
+    private void addEmissive(PathVertex at, SplittableRandom random) {
+        EmissiveSurfaces emissive = level.emissive();
+        EmissiveSurfaces.Source source = emissive.isEmpty() ? null : emissive.source(random);
+        if (source == null) {
             return;
         }
-        EmissiveFaces.Source source = faces.source(random);
-        Vector3d origin = Illumination.lifted(surface);
+        Vector3d origin = at.rayOrigin();
         Vector3d towards = source.place().toVector().sub(origin);
         double distance = towards.length();
         towards.div(distance);
         double cosine = -towards.dot(source.normal().toVector());
-        if (cosine <= 0 || surface.faceNormal().dot(towards) <= 0) {
+        if (cosine <= 0 || !at.isReachedFrom(towards)) {
             return;
         }
-        Vector3d reflected = surface.reflected(towards);
-        if (sum(reflected) == 0 || shadows.isBlockedWithin(origin, towards, distance, surface.item())) {
+        Vector3d reflected = at.reflected(towards);
+        if (sum(reflected) == 0 || isBlocked(at, origin, towards, distance)) {
             return;
         }
         double density = source.density() * distance * distance / cosine;
-        double ofSource = powerHeuristic(density, new BrdfSampling(surface).density(towards));
+        double weighted = estimation.ofAimed(density, at.sampling().density(towards));
         double passed = level.light().passedByClouds(origin, towards, distance, random);
-        addReflected(reflected.mul(source.radiance().toVector()).mul(ofSource * passed / density));
+        addReflected(reflected
+                .mul(source.radiance().toVector())
+                .mul(level.airTransmittance(source.place(), Vec3.of(towards), distance))
+                .mul(weighted * passed / density));
     }
 
-    private static double powerHeuristic(double density, double other) {
-        double ratio = other / density;
-        return 1 / (1 + ratio * ratio);
+    /** Returns true if anything is between a vertex and a place on a face. */
+    private boolean isBlocked(PathVertex from, Vector3d origin, Vector3d towards, double distance) {
+        return from instanceof SurfacePoint surface
+                ? shadows.isBlockedWithin(origin, towards, distance, surface.item())
+                : scattering.isBlocked(origin, towards, distance * Shafts.ShadowRays.BEFORE_END);
+    }
+
+    /** The rays that count towards what both a ray aimed at it and the path itself may meet; all have the same mean. */
+    enum Estimation {
+        AIMED,
+        MET,
+        BOTH;
+
+        /** Returns the weight of what an aimed ray meets, by its density and the path's. */
+        double ofAimed(double density, double ofPath) {
+            return this == BOTH ? powerHeuristic(density, ofPath) : this == AIMED ? 1 : 0;
+        }
+
+        /** Returns the weight of what the path meets, by its density and that of rays aimed there. */
+        double ofMet(double density, double ofAimed) {
+            return ofAimed == 0 ? 1 : 1 - ofAimed(ofAimed, density);
+        }
+
+        private static double powerHeuristic(double density, double other) {
+            double ratio = other / density;
+            return 1 / (1 + ratio * ratio);
+        }
     }
 
     private static double sum(Vector3dc v) {
         return v.x() + v.y() + v.z();
     }
 
-    /** Returns the surface at the end of a random ray from this one; {@code null} if the path ends. */
-    private SurfacePoint next(SurfacePoint surface, int bounce, PixelSample sample) {
-        BrdfSampling brdf = new BrdfSampling(surface);
-        Vector3d direction = brdf.direction(sample.random());
-        if (surface.faceNormal().dot(direction) <= 0) {
+    /** Returns what a random ray from a vertex meets; {@code null} if the path ends. */
+    private PathVertex next(PathVertex from, int turns, SplittableRandom random) {
+        PathVertex.DirectionSampling sampling = from.sampling();
+        Vector3d direction = sampling.direction(random);
+        if (!from.isReachedFrom(direction)) {
             return null;
         }
-        double density = brdf.density(direction);
-        weight.mul(surface.reflected(direction).div(density));
-        if (!survives(bounce, sample.random())) {
+        double density = sampling.density(direction);
+        weight.mul(from.reflected(direction).div(density));
+        if (!survives(turns, random)) {
             return null;
         }
-        boolean isMet = path.trace(Illumination.lifted(surface), direction, 0, Double.POSITIVE_INFINITY);
-        CloudSight.Met cloud = clouds == null ? null : clouds.first(path, sample.random());
+        boolean isMet = path.trace(from.rayOrigin(), direction, 0, Double.POSITIVE_INFINITY);
+        CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
+        List<Segment> parts = cloud == null ? path.partsToEnd() : cloud.parts();
+        // Air within clouds is neither seen nor shaded; the sky as a cloud sees it contains that before it.
+        boolean isInAir = from instanceof SurfacePoint || cloud == null && isMet;
+        addReflected(lampsAlong(parts, isInAir ? level::airAttenuation : (part, metres) -> part.tint(), random));
+        if (isInAir) {
+            PathAir air = level.air(parts, random);
+            addReflected(air.added());
+            weight.mul(air.passed());
+        } else {
+            weight.mul(parts.get(parts.size() - 1).tint());
+        }
         if (cloud != null) {
-            addReflected(level.fromCloud(cloud, clouds, path, sample.random()));
-            return null;
+            return cloud.vertex();
         }
         if (!isMet) {
-            addSky(sample.random());
+            addSky(from);
             return null;
         }
-        return met(surface, density, sample.random());
+        return met(from, density);
     }
 
     /** Adds the sky at the end of the path, without the sun's disc, which next-event estimation stands for. */
-    private void addSky(SplittableRandom random) {
-        if (level.light().isSkyLight()) {
-            addReflected(level.fromSky(path, random));
+    private void addSky(PathVertex from) {
+        if (from instanceof PathVertex.InCloud) {
+            addReflected(scattering.skylight(path.lastSegment()));
+        } else if (level.light().isSkyLight()) {
+            addReflected(level.sky(path.lastSegment()));
         }
     }
 
     /** Ends weak paths; the probability to go on is the greatest weight of a channel. */
-    private boolean survives(int bounce, SplittableRandom random) {
+    private boolean survives(int turns, SplittableRandom random) {
         double greatest = weight.get(weight.maxComponent());
-        if (bounce < SURE_BOUNCES) {
+        if (turns < SURE_TURNS) {
             return greatest > 0;
         }
         double survival = Math.min(1, greatest);
@@ -145,13 +224,11 @@ final class PathIntegrator {
         return true;
     }
 
-    /** Returns the surface at the end of the path, after its emission and that of the air before it are added. */
-    private SurfacePoint met(SurfacePoint from, double density, SplittableRandom random) {
+    /** Returns the surface at the end of the path, after its emission is added. */
+    private SurfacePoint met(PathVertex from, double density) {
         Vec3 place = path.ray().at(path.end());
         SurfacePoint surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
                 .reciprocal();
-        addReflected(level.arriving(new Vector3d(), place, path, random));
-        weight.mul(level.transmittance(place, path));
         Vector3d emission = emission(surface);
         if (sum(emission) > 0) {
             addReflected(emission.mul(emissionWeight(from, surface, density)));
@@ -159,14 +236,14 @@ final class PathIntegrator {
         return surface;
     }
 
-    /** Returns the weight of emission that the path itself meets, beside that of {@link #addEmissiveFace}. */
-    private double emissionWeight(SurfacePoint from, SurfacePoint surface, double density) {
-        double perSquareMetre = path.pathHash() == 0 ? level.emissiveDensity(path) : 0;
+    /** Returns the weight of emission that the path itself meets, beside that of {@link #addEmissive}. */
+    private double emissionWeight(PathVertex from, SurfacePoint surface, double density) {
+        double perSquareMetre = path.pathHash() == 0 ? level.emissive().density(path) : 0;
         double cosine = surface.faceNormal().dot(surface.toEye());
         if (perSquareMetre == 0 || cosine <= 0) {
             return 1;
         }
         double distance = surface.place().minus(from.place()).length();
-        return powerHeuristic(density, perSquareMetre * distance * distance / cosine);
+        return estimation.ofMet(density, perSquareMetre * distance * distance / cosine);
     }
 }

@@ -199,7 +199,7 @@ final class Shafts {
     /** Tests shadow rays. Use one per thread. */
     static final class ShadowRays {
         /** The fraction of the distance to a place that is tested: the surface that the place is on does not hide it. */
-        private static final double BEFORE_END = 1 - 1e-9;
+        static final double BEFORE_END = 1 - 1e-9;
 
         private final TracedItems surfaces;
         private final Shafts shafts;

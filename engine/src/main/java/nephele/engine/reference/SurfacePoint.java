@@ -31,7 +31,23 @@ record SurfacePoint(
         Reflectance gloss,
         Vector3dc toEye,
         Vec3 emission,
-        boolean leaves) {
+        boolean leaves)
+        implements PathVertex {
+    @Override
+    public Vector3d rayOrigin() {
+        return Illumination.lifted(this);
+    }
+
+    @Override
+    public boolean isReachedFrom(Vector3dc towardsLight) {
+        return faceNormal.dot(towardsLight) > 0;
+    }
+
+    @Override
+    public BrdfSampling sampling() {
+        return new BrdfSampling(this);
+    }
+
     /** Returns this point as light's transport demands it: it reflects as much backwards along any path as forwards. */
     SurfacePoint reciprocal() {
         return gloss instanceof Brdf drawn
@@ -66,8 +82,8 @@ record SurfacePoint(
         return new Vector3d(albedo).mul(PlantedBillboards.BETWEEN_LEAVES * Math.max(cosine, 0) / Math.PI);
     }
 
-    /** Returns the radiance towards the eye per irradiance on a plane perpendicular to the light. */
-    Vector3d reflected(Vector3dc toLight) {
+    @Override
+    public Vector3d reflected(Vector3dc toLight) {
         Vector3d reflected = gloss == null
                 ? new Vector3d(albedo).mul(Math.max(normal.dot(toLight), 0) / Math.PI)
                 : gloss.reflected(normal, toEye, toLight);

@@ -25,6 +25,8 @@ final class TracedItems {
     private final TracedShape[] items;
     private final int[] surfaces;
     private final int solids;
+    private final int firstModel;
+    private final int firstGround;
     private final double[] bounds;
     private final SpatialIndex index;
 
@@ -48,6 +50,8 @@ final class TracedItems {
                 grid -> tracedGrounds.add(new GroundShape(grid)));
         solids = all.size();
         int models = tracedModels.size();
+        firstModel = solids + pieces.size();
+        firstGround = firstModel + models;
         int grounds = tracedGrounds.size();
         all.addAll(pieces);
         all.addAll(tracedModels);
@@ -75,6 +79,10 @@ final class TracedItems {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 
+    int count() {
+        return items.length;
+    }
+
     TracedShape shape(int item) {
         return items[item];
     }
@@ -92,6 +100,27 @@ final class TracedItems {
      */
     int surface(int item) {
         return surfaces[item];
+    }
+
+    /** Returns the kind of an item at which a ray of a bake ends. */
+    GatherRays.End endOf(int item) {
+        TracedShape shape = items[item];
+        if (shape instanceof TracedSolid) {
+            return GatherRays.End.SOLID;
+        }
+        if (shape instanceof TriangleMeshShape) {
+            return GatherRays.End.MODEL;
+        }
+        return shape instanceof GroundShape ? GatherRays.End.GROUND : GatherRays.End.OTHER;
+    }
+
+    /** Returns the index of a solid, model or terrain in the level. */
+    int indexOf(int item) {
+        return switch (endOf(item)) {
+            case MODEL -> item - firstModel;
+            case GROUND -> item - firstGround;
+            default -> item;
+        };
     }
 
     boolean isSolid(int surface) {

@@ -7,11 +7,13 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.AirOfEnvironment;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.NightSky;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -37,7 +39,7 @@ public final class TracedLevel {
     private final Optional<AirShade> shade;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
-    private final EmissiveFaces emissive;
+    private final EmissiveSurfaces emissive;
     private final Optional<SunDisc> disc;
     /** Its horizon is that of y = 0. */
     private final Optional<NightSky> night;
@@ -58,7 +60,7 @@ public final class TracedLevel {
         MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
         looks = new TracedShape.SurfaceAppearance(
                 FaceMaterials.of(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
-        emissive = new EmissiveFaces(statics.solids(), textures);
+        emissive = new EmissiveSurfaces(rays, looks);
         disc = SunDisc.of(level.environment());
         night = night(level.environment());
         sky = SkyRadiance.of(level.environment(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
@@ -102,9 +104,43 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye, LightTransport transport) {
+        return tracer(eye, transport, PathIntegrator.Estimation.BOTH);
+    }
+
+    Tracer tracer(Pinhole eye, LightTransport transport, PathIntegrator.Estimation estimation) {
         var shadows = new Shafts.ShadowRays(rays, shafts);
-        PathIntegrator bounced = transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows);
+        PathIntegrator bounced =
+                transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows, estimation);
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
+    }
+
+    /** Returns rays of a bake for one thread. */
+    public GatherRays gatherRays(GatherRays.Sources sources) {
+        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the lamps that emit anything, in the order of the level. */
+    public List<Light> lamps() {
+        return light.lamps().stream().map(PunctualLight::source).toList();
+    }
+
+    /** Returns the kind of an item at which a ray ends. */
+    GatherRays.End endOf(int item) {
+        return rays.endOf(item);
+    }
+
+    /** Returns the index of an item among those of its kind. */
+    int indexOf(int item) {
+        return rays.indexOf(item);
+    }
+
+    /** Returns the face of the solid at a path's end, or the triangle of the model. */
+    int partOf(EyePath path) {
+        TracedShape shape = rays.shape(path.item());
+        if (shape instanceof TracedSolid solid) {
+            return solid.face(path.ray());
+        }
+        return shape instanceof TriangleMeshShape mesh ? mesh.triangle(path.ray(), path.end()) : 0;
     }
 
     /** Returns a finder of paths for one thread. */
@@ -117,15 +153,8 @@ public final class TracedLevel {
         return portals;
     }
 
-    EmissiveFaces emissiveFaces() {
+    EmissiveSurfaces emissive() {
         return emissive;
-    }
-
-    /** Returns the density per square metre with which the emissive face at a path's end is chosen as a source. */
-    double emissiveDensity(EyePath path) {
-        return rays.isSolid(path.item())
-                ? emissive.density(path.item(), ((TracedSolid) rays.shape(path.item())).face(path.ray()))
-                : 0;
     }
 
     public boolean hasClouds() {
@@ -156,6 +185,19 @@ public final class TracedLevel {
     Optional<CloudSight> cloudSight() {
         return clouds.map(all -> new CloudSight(
                 all.media(), new CloudSight.LevelSurroundings(all.open(), rays, portals, sunCastsShadow)));
+    }
+
+    /**
+     * Returns the light that clouds scatter towards paths of one thread; empty without clouds.
+     *
+     * @param passesPortals false if light meets the walls behind portals
+     */
+    Optional<CloudScattering> cloudScattering(boolean passesPortals) {
+        return clouds.map(all -> new CloudScattering(
+                all.media(),
+                new CloudSight.LevelSurroundings(
+                        all.open(), rays, passesPortals ? portals : Portals.NONE, sunCastsShadow),
+                light.lamps()));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */
@@ -252,14 +294,6 @@ public final class TracedLevel {
         return mirrored(throughFog(seen, path.lastSegment(), path.metres()), path.tint(), path.reflected());
     }
 
-    /** Returns the fraction of the light of the place at a path's end that arrives at its beginning. */
-    Vector3d transmittance(Vec3 place, EyePath path) {
-        EyePath.Segment last = path.lastSegment();
-        return airTransmittance(place, last.direction(), path.metres())
-                .mul(fogTransmittance(last, path.metres()))
-                .mul(path.tint());
-    }
-
     /** Returns the sky's radiance as it arrives along a path that ends at nothing. */
     Vector3d fromSky(EyePath path, SplittableRandom random) {
         Vector3d seen = sky(path.lastSegment().origin().y(), path, random);
@@ -267,17 +301,58 @@ public final class TracedLevel {
         return mirrored(radiance, path.tint(), path.reflected());
     }
 
-    /** Returns the radiance of the discs of sun and moon as it arrives along a path that ends at nothing. */
-    Vector3d fromDiscs(EyePath path) {
-        EyePath.Segment last = path.lastSegment();
+    /** Returns the radiance of the sky, without sun and moon, where the last part of a path begins. */
+    Vector3d sky(EyePath.Segment last) {
+        return sky(last.origin().y(), last.direction().toVector());
+    }
+
+    /** Returns the radiance of the discs of sun and moon where the last part of a path begins. */
+    Vector3d discs(EyePath.Segment last) {
         Vec3 sunDisc = disc.map(
                         sun -> sun.towards(last.direction(), last.origin().y()))
                 .orElse(Vec3.ZERO);
         Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
-        return sunDisc.plus(moonDisc)
-                .toVector()
-                .mul(fogTransmittance(last, Double.POSITIVE_INFINITY))
-                .mul(path.tint());
+        return sunDisc.plus(moonDisc).toVector();
+    }
+
+    /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
+    PathAir air(List<EyePath.Segment> parts, SplittableRandom random) {
+        return PathAir.of(air, shade, parts, random);
+    }
+
+    /**
+     * Returns radiance as it arrives at an eye through air, each part's by its own place, and through fog and mirrors.
+     *
+     * @param radiance at the end of the parts; changed
+     * @param parts of the path up to there
+     * @param metres length of the path up to there; infinite for the sky
+     */
+    Vector3d arrivingByParts(
+            Vector3d radiance, EyePath path, List<EyePath.Segment> parts, double metres, SplittableRandom random) {
+        PathAir onWay = air(parts, random);
+        EyePath.Segment last = parts.get(parts.size() - 1);
+        Vector3d seen = radiance.mul(onWay.passed()).add(onWay.added()).mul(fogTransmittance(last, metres));
+        List<EyePath.Reflected> before = path.reflected().stream()
+                .filter(mirror -> parts.contains(mirror.before()))
+                .toList();
+        return seen.add(mirrored(throughFog(new Vector3d(), last, metres), last.tint(), before));
+    }
+
+    /**
+     * Returns the fraction of light that passes air, fog and mirrors to an eye.
+     *
+     * @param part of its path
+     * @param metres from the part's beginning
+     */
+    Vector3d attenuation(EyePath.Segment part, double metres) {
+        return airAttenuation(part, metres).mul(fogTransmittance(part, part.metresBefore() + metres));
+    }
+
+    /** Returns the fraction of light that passes air and mirrors, likewise. */
+    Vector3d airAttenuation(EyePath.Segment part, double metres) {
+        Vec3 place = part.origin().addScaled(metres, part.direction());
+        return airTransmittance(place, part.direction(), part.metresBefore() + metres)
+                .mul(part.tint());
     }
 
     /** Returns the radiance of a cloud's collision as it arrives along a path. */

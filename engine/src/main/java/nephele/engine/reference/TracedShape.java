@@ -26,6 +26,9 @@ sealed interface TracedShape
      */
     SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks);
 
+    /** Returns the light that it emits, as an item of this number; {@code null} if paths alone find it or it is dark. */
+    EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks);
+
     /** The materials of all items. */
     record SurfaceAppearance(FaceMaterials solids, BodySurfaces bodies, MaterialTextures textures) {}
 }

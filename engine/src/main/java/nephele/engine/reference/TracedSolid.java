@@ -47,6 +47,11 @@ final class TracedSolid implements TracedShape {
         return looks.solids().at(path.item(), face(path.ray()), place, toEye);
     }
 
+    @Override
+    public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+        return EmissiveSurfaces.of(looks.solids().lit(item, this));
+    }
+
     /**
      * Returns the index of the face by which the ray enters; on an edge, of the face at the smaller angle of incidence.
      */

@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.SampleSequence.PixelSample;
 import org.joml.Vector3d;
@@ -31,27 +32,35 @@ final class Tracer {
     Vector3d radiance(Vector3d direction, PixelSample sample) {
         boolean isMet = path.trace(from, direction, eye.nearMetres(), eye.farMetres());
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, sample.random());
-        if (cloud != null) {
-            Vector3d radiance = level.fromCloud(cloud, clouds, path, sample.random());
-            level.exits().addTo(radiance, path, cloud.metres(), level);
-            return radiance;
-        }
-        Vector3d radiance = isMet ? fromSurface(sample) : fromSky(sample);
-        level.exits().addTo(radiance, path, Double.POSITIVE_INFINITY, level);
+        Vector3d radiance = bounced != null
+                ? withBounces(isMet, cloud, sample)
+                : cloud != null
+                        ? level.fromCloud(cloud, clouds, path, sample.random())
+                        : isMet ? fromSurface(sample) : level.fromSky(path, sample.random());
+        level.exits().addTo(radiance, path, cloud == null ? Double.POSITIVE_INFINITY : cloud.metres(), level);
         return radiance;
     }
 
-    private Vector3d fromSky(PixelSample sample) {
-        Vector3d sky = level.fromSky(path, sample.random());
-        return bounced == null ? sky : sky.add(level.fromDiscs(path));
+    private SurfacePoint surface() {
+        Vec3 place = path.ray().at(path.end());
+        return level.surface(path, place, new Vector3d(path.direction()).normalize(-1));
     }
 
     private Vector3d fromSurface(PixelSample sample) {
-        Vec3 place = path.ray().at(path.end());
-        Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
-        SurfacePoint surface = level.surface(path, place, toEye);
-        Vector3d radiance =
-                bounced == null ? level.light().radiance(surface, shadows, sample) : bounced.radiance(surface, sample);
-        return level.arriving(radiance, place, path, sample.random());
+        SurfacePoint surface = surface();
+        Vector3d radiance = level.light().radiance(surface, shadows, sample);
+        return level.arriving(radiance, surface.place(), path, sample.random());
+    }
+
+    private Vector3d withBounces(boolean isMet, CloudSight.Met cloud, PixelSample sample) {
+        List<EyePath.Segment> parts = cloud == null ? path.partsToEnd() : cloud.parts();
+        double metres = cloud == null ? path.metres() : cloud.metres();
+        Vector3d seen = cloud != null
+                ? bounced.radiance(cloud.vertex(), sample)
+                : isMet
+                        ? bounced.radiance(surface(), sample)
+                        : level.sky(path.lastSegment()).add(level.discs(path.lastSegment()));
+        return level.arrivingByParts(seen, path, parts, metres, sample.random())
+                .add(bounced.lampsAlong(parts, level::attenuation, sample.random()));
     }
 }

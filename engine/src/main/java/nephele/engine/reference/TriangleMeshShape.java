@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.billboard.PlantedModels;
@@ -34,6 +35,8 @@ final class TriangleMeshShape implements TracedShape {
     private final double[] corners;
     private final SpatialIndex index;
     private final ItemRayTest meets;
+    /** Made once for all plants of a kind; {@code null} before it is asked for. */
+    private EmissiveSurfaces.Emitter emitter;
 
     TriangleMeshShape(PlacedModel model) {
         this.model = model;
@@ -66,6 +69,13 @@ final class TriangleMeshShape implements TracedShape {
         return index.nearest(ray, Double.POSITIVE_INFINITY, (r, triangle, limit) -> entry(r, triangle, least), hit);
     }
 
+    /** Returns the triangle that a ray enters at a parameter. */
+    int triangle(Ray ray, double parameter) {
+        RayHit hit = new RayHit();
+        nearest(ray, parameter, hit);
+        return hit.item();
+    }
+
     private double entry(Ray ray, int triangle, double least) {
         double[] normals = mesh.faceNormals();
         double rate = normals[3 * triangle] * ray.directionX()
@@ -87,6 +97,39 @@ final class TriangleMeshShape implements TracedShape {
     }
 
     @Override
+    public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+        Vec3 emission =
+                looks.textures().skin(model.authored().material()).material().emission();
+        if (emitter == null && EmissiveSurfaces.brightness(emission) > 0) {
+            emitter = EmissiveSurfaces.of(new Lit(mesh, emission));
+        }
+        return emitter;
+    }
+
+    /** The triangles, of which all emit the same. */
+    private record Lit(WorldTriangles mesh, Vec3 emission) implements EmissiveSurfaces.Triangles {
+        @Override
+        public int count() {
+            return mesh.count();
+        }
+
+        @Override
+        public Vec3 corner(int triangle, int corner) {
+            return mesh.corner(triangle, corner);
+        }
+
+        @Override
+        public Vec3 radiance(int triangle, Vec3 place) {
+            return emission;
+        }
+
+        @Override
+        public int at(EyePath path) {
+            return 0;
+        }
+    }
+
+    @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         return at(new End(path.ray(), path.end(), path.item(), place), UnaryOperator.identity(), place, toEye, looks);
     }
@@ -101,9 +144,7 @@ final class TriangleMeshShape implements TracedShape {
      */
     private SurfacePoint at(
             End end, UnaryOperator<Vec3> toWorld, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
-        RayHit hit = new RayHit();
-        nearest(end.ray(), end.parameter(), hit);
-        int triangle = hit.item();
+        int triangle = triangle(end.ray(), end.parameter());
         double[] weights = new double[3];
         RayTriangleIntersection.barycentricWeights(end.place(), corners, 9 * triangle, weights);
         Vector3d normal = new Vector3d();
@@ -223,6 +264,35 @@ final class TriangleMeshShape implements TracedShape {
         @Override
         public boolean shadesItself() {
             return true;
+        }
+
+        @Override
+        public EmissiveSurfaces.Emitter emitter(int item, SurfaceAppearance looks) {
+            EmissiveSurfaces.Emitter ofKind = kind.emitter(item, looks);
+            return ofKind == null ? null : new Moved(ofKind, this);
+        }
+
+        /** The light of the kind where the plant stands. */
+        private record Moved(EmissiveSurfaces.Emitter kind, Planted plant) implements EmissiveSurfaces.Emitter {
+            @Override
+            public double power() {
+                return kind.power() * plant.plant.scale() * plant.plant.scale();
+            }
+
+            @Override
+            public EmissiveSurfaces.Source source(SplittableRandom random) {
+                EmissiveSurfaces.Source source = kind.source(random);
+                return new EmissiveSurfaces.Source(
+                        plant.plant.foot().addScaled(plant.plant.scale(), plant.turned(source.place())),
+                        plant.turned(source.normal()),
+                        source.radiance(),
+                        source.density());
+            }
+
+            @Override
+            public double density(EyePath path) {
+                return kind.density(path);
+            }
         }
 
         @Override

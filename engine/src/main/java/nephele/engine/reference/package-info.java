@@ -6,6 +6,6 @@
  * <p>Light is followed as far as a {@link nephele.engine.reference.LightTransport} says. {@code DIRECT} is the engine's
  * own model: direct light of sun and punctual lights, the sky's irradiance times the visible part of the hemisphere over
  * the face, emission that lights nothing else; eye rays pass through portals, light does not. {@code FULL} integrates
- * paths over all surfaces and through portals.
+ * paths over all surfaces and through portals, and over places in clouds.
  */
 package nephele.engine.reference;

@@ -27,6 +27,7 @@ import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
 import nephele.engine.render.pass.rim.UnfilledPass;
+import nephele.engine.render.pass.shadow.BakedLightPass;
 import nephele.engine.render.pass.shadow.ContactPass;
 import nephele.engine.render.pass.shadow.DynamicShadowPass;
 import nephele.engine.render.pass.shadow.LightShadowPass;
@@ -60,6 +61,7 @@ public final class RenderFeatures {
             DynamicShadowPass.FEATURE,
             ContactPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            BakedLightPass.FEATURE,
             CloudShadePass.FEATURE,
             // In each view.
             GunPass.FEATURE,

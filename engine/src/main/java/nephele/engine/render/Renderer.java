@@ -66,7 +66,12 @@ public final class Renderer implements AutoCloseable {
         this.settings = settings;
         this.features = features;
         FrameRequest request = FrameRequest.of(
-                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.character());
+                scene.level(),
+                scene.statics(),
+                scene.light(),
+                settings.output(),
+                settings.quality(),
+                settings.character());
         resources = new RenderResources(owned, drawn, request, replaced);
         start = FrameState.atStart(scene.level());
         visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());

@@ -2,6 +2,7 @@ package nephele.engine.scene;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -48,6 +49,7 @@ public final class FrameState {
     private double heldClarity;
     private ShotPalette shotPalette = ShotPalette.BLUE_ORANGE;
     private FlashStyle flashStyle = FlashStyle.NATURAL;
+    private Map<String, Double> layerGains = Map.of();
 
     private FrameState(Environment environment, int bodyCount) {
         authored = environment;
@@ -121,6 +123,16 @@ public final class FrameState {
     /** Sets how flashes of lightning come and go. */
     public void flashStyle(FlashStyle now) {
         flashStyle = now;
+    }
+
+    /** Returns the gains of named layers of light; 1 for the others. */
+    public Map<String, Double> layerGains() {
+        return layerGains;
+    }
+
+    /** Sets the gains of layers of light by their names, 0 for dark. */
+    public void layerGains(Map<String, Double> now) {
+        layerGains = now;
     }
 
     public Portals portals() {

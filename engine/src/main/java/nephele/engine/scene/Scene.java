@@ -17,6 +17,7 @@ import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FaceFragment;
 import nephele.engine.scene.light.bake.FaceFragments;
+import nephele.engine.scene.light.bake.SkyVisibility;
 
 /**
  * Everything drawable that is derived from a level; immutable.
@@ -55,7 +56,7 @@ public record Scene(
         StaticShapes statics = placed.statics();
         SceneMaterials materials = SceneMaterials.NONE.edited(level.materials(), placed.assets());
         FaceFragments cut = cut(placed, light, null);
-        SolidGeometry geometry = SolidGeometry.of(statics, materials, light, cut);
+        SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility(light), cut);
         List<Opening> mirrors = of(level, statics, materials, cut);
         PunctualLightTable lights = PunctualLightTable.of(level, statics);
         return new Scene(level, placed.assets(), statics, materials, geometry, cut, light, mirrors, lights);
@@ -74,7 +75,7 @@ public record Scene(
         SceneMaterials otherMaterials = materials.edited(edited.materials(), placed.assets());
         BakedLight otherLight = light(edited, baked);
         FaceFragments otherCut = cut(placed, otherLight, cut);
-        SolidGeometry geometry = solids.edited(others, otherMaterials, otherLight, otherCut);
+        SolidGeometry geometry = solids.edited(others, otherMaterials, visibility(otherLight), otherCut);
         boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
         List<Opening> otherMirrors = areMirrorsSame ? mirrors : of(edited, others, otherMaterials, otherCut);
         PunctualLightTable otherLights = PunctualLightTable.edited(lights, edited, others);
@@ -88,6 +89,10 @@ public record Scene(
                 otherLight,
                 otherMirrors,
                 otherLights);
+    }
+
+    private static SkyVisibility visibility(BakedLight light) {
+        return light == null ? null : light.visibility();
     }
 
     private BakedLight light(Level edited, BakedLight baked) {

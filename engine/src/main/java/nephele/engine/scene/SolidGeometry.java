@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -13,7 +15,6 @@ import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.scene.light.LightMapLookup;
-import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FaceFragments;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
@@ -44,7 +45,7 @@ public final class SolidGeometry {
     private final StaticShapes statics;
     private final StaticShapes drawn;
     private final SceneMaterials materials;
-    private final BakedLight sky;
+    private final SkyVisibility sky;
     private final LightMapLookup light;
     private final short[] skyOfModels;
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
@@ -70,7 +71,11 @@ public final class SolidGeometry {
     }
 
     private SolidGeometry(
-            StaticShapes statics, SceneMaterials materials, BakedLight sky, FaceFragments cut, SolidGeometry before) {
+            StaticShapes statics,
+            SceneMaterials materials,
+            SkyVisibility sky,
+            FaceFragments cut,
+            SolidGeometry before) {
         boolean isUnderOldSky = before != null && before.sky == sky;
         boolean hasOldModels = isUnderOldSky && before.statics.models() == statics.models();
         this.statics = statics;
@@ -78,9 +83,7 @@ public final class SolidGeometry {
         this.sky = sky;
         FaceFragments parts = sky == null ? whole(statics, before) : cut;
         drawn = hasOldModels ? statics.with(before.drawn.models()) : drawn(statics, sky);
-        skyOfModels = hasOldModels
-                ? before.skyOfModels
-                : sky == null ? null : sky.visibility().ofModels(drawn.models());
+        skyOfModels = hasOldModels ? before.skyOfModels : sky == null ? null : sky.ofModels(drawn.models());
         List<StaticShape> shapes = drawn.all();
         List<Aabb> boxes = shapes.stream().map(StaticShape::bounds).toList();
         index = before == null ? SpatialIndex.of(boxes) : before.index.edited(boxes);
@@ -90,9 +93,7 @@ public final class SolidGeometry {
         boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
         light = sky == null
                 ? null
-                : isUnderOldSky
-                        ? before.light.edited(drawn.solids())
-                        : new LightMapLookup(sky.visibility(), drawn.solids());
+                : isUnderOldSky ? before.light.edited(drawn.solids()) : new LightMapLookup(sky, drawn.solids());
         SolidGeometry copied = isAtOldPlace ? before : null;
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
@@ -169,22 +170,23 @@ public final class SolidGeometry {
                 : before.fragments.edited(statics.solids());
     }
 
-    private static StaticShapes drawn(StaticShapes statics, BakedLight sky) {
+    private static StaticShapes drawn(StaticShapes statics, SkyVisibility sky) {
         return sky == null ? statics : statics.split(SkyVisibility.MODEL_EDGE_METRES);
     }
 
     /**
      * Meshes the static geometry.
      *
-     * @param sky the baked light, or {@code null} for none
+     * @param sky baked, or {@code null} for none; its light map is also that of other baked light
      * @param cut the solids' faces, read only if {@code sky} is not {@code null}
      */
-    static SolidGeometry of(StaticShapes statics, SceneMaterials materials, BakedLight sky, FaceFragments cut) {
+    static SolidGeometry of(StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
         return new SolidGeometry(statics, materials, sky, cut, null);
     }
 
     /** Returns the geometry of an edited level, or this object if nothing drawn has changed. */
-    SolidGeometry edited(StaticShapes others, SceneMaterials otherMaterials, BakedLight otherSky, FaceFragments cut) {
+    SolidGeometry edited(
+            StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
         boolean isSame = others == statics
                 && otherSky == sky
                 && (otherMaterials == materials
@@ -224,6 +226,28 @@ public final class SolidGeometry {
     /** Returns the number of slots of the index, one per solid and model; a batch has at most as many ranges. */
     public int slotCount() {
         return index.size();
+    }
+
+    /**
+     * Returns for each vertex of {@link #models} the number that it has among those of {@link StaticShapes#models}, split if
+     * there is a light map.
+     */
+    public int[] modelVertices() {
+        int[] numbers = new int[models.vertices().limit() / MODEL_VERTEX_BYTES];
+        int first = 0;
+        for (PlacedModel model : drawn.models().all()) {
+            int at = modelVertices.first(model.index());
+            for (int i = 0; i < modelVertices.count(model.index()); i++) {
+                numbers[at + i] = first + model.triangles().vertices()[i];
+            }
+            first += model.triangles().positions().length / 3;
+        }
+        return numbers;
+    }
+
+    /** Returns the models as they are drawn. */
+    public PlacedModels drawnModels() {
+        return drawn.models();
     }
 
     SpatialIndex index() {

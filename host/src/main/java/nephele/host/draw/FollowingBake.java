@@ -33,15 +33,14 @@ public final class FollowingBake implements AutoCloseable {
      * Returns the light of a level before its bake: the stored one, else the former, else that of an open sky.
      *
      * @param former of an earlier state of the level, {@code null} for none
-     * @return {@code null} if no light of the sky reaches anything
+     * @return {@code null} if no light of the sky reaches anything and no light was baked
      */
     static BakedLight lightBefore(PlacedLevel placed, Supplier<BakedLight> former) {
-        if (!LevelLight.isRequired(placed)) {
-            return null;
+        Optional<BakedLight> known = LevelLight.known(placed);
+        if (known.isPresent() || !LevelLight.isRequired(placed)) {
+            return known.orElse(null);
         }
-        return LevelLight.known(placed)
-                .or(() -> Optional.ofNullable(former.get()))
-                .orElseGet(BakedLight::open);
+        return Optional.ofNullable(former.get()).orElseGet(BakedLight::open);
     }
 
     /** Returns the baked light of a level as saved; empty if it was not baked, or the level cannot be read. */

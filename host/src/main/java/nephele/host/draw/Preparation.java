@@ -2,12 +2,12 @@ package nephele.host.draw;
 
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.sim.state.SimLevel;
 import nephele.host.named.LevelName;
@@ -37,9 +37,11 @@ public final class Preparation {
      * Starts the preparation of a level.
      *
      * @param bakeProgress called with 0–1 from several threads while light is baked, otherwise not
+     * @param warnings receives a line if baked light is there and ignored
      */
-    public static Preparation begin(LevelName level, QualityChoice quality, DoubleConsumer bakeProgress) {
-        return begin(level::open, quality, drawn -> LevelLight.of(drawn, bakeProgress));
+    public static Preparation begin(
+            LevelName level, QualityChoice quality, DoubleConsumer bakeProgress, Consumer<String> warnings) {
+        return begin(level::open, quality, drawn -> quality.light(drawn, level.typed(), bakeProgress, warnings));
     }
 
     /**

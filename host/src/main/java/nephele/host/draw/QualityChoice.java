@@ -3,6 +3,8 @@ package nephele.host.draw;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.LinearLight;
@@ -14,6 +16,8 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.QualityField;
+import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.CommandFailure;
 
@@ -95,6 +99,21 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     /** Returns the level to draw with its derived data. */
     public PlacedLevel drawn(OpenedLevel opened) {
         return showsIds() ? opened.reporting(() -> opened.placed().edited(drawn(opened.level()))) : opened.placed();
+    }
+
+    /**
+     * Returns the light of a level to draw.
+     *
+     * @param name of the level in messages
+     * @param progress of a bake, 0–1
+     * @param warnings receives a line if baked light is there and ignored; not for ids, which show none
+     */
+    public BakedLight light(PlacedLevel drawn, String name, DoubleConsumer progress, Consumer<String> warnings) {
+        return LevelLight.of(drawn, progress, stored -> {
+            if (!showsIds()) {
+                stored.warning(name).ifPresent(warnings);
+            }
+        });
     }
 
     /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */

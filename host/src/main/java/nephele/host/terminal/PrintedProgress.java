@@ -38,7 +38,16 @@ public final class PrintedProgress implements DoubleConsumer {
 
     /** Returns the progress of other work. */
     public static PrintedProgress of(PrintStream to, String work) {
-        return new PrintedProgress(to, work, 0, System::nanoTime);
+        return of(to, work, 0);
+    }
+
+    /**
+     * Returns the progress of other work of which a part is done.
+     *
+     * @param fractionBefore 0–1
+     */
+    public static PrintedProgress of(PrintStream to, String work, double fractionBefore) {
+        return new PrintedProgress(to, work, fractionBefore, System::nanoTime);
     }
 
     /** Returns the progress of the bake of a level's light, which runs only if the light is not cached. */

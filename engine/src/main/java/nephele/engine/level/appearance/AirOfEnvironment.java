@@ -61,6 +61,25 @@ public final class AirOfEnvironment {
                 .toVector();
     }
 
+    /**
+     * Returns what the air does to light on a straight way.
+     *
+     * @param from where it is seen
+     * @param direction away from there, unit
+     * @return radiance of sun and moon, for their irradiance
+     */
+    public AirLight between(Vec3 from, Vec3 direction, double metres) {
+        ClearSky sky = new ClearSky(tables);
+        AirLight sunlit = sky.along(from.y(), direction, lights.towardsSun(), metres);
+        Vec3 radiance = sunlit.radiance().times(lights.environment().sun().irradiance());
+        if (lights.moonlight().shines()) {
+            Vec3 towards = lights.moonlight().towardsMoon();
+            AirLight moonlit = sky.along(from.y(), direction, towards, metres);
+            radiance = radiance.plus(moonlit.radiance().times(lights.moonIrradiance()));
+        }
+        return new AirLight(radiance, sunlit.transmittance());
+    }
+
     private AirLight along(Vec3 place, Vector3dc direction, double metres, Vec3 towardsLight) {
         double eyeHeight = place.y() - metres * direction.y();
         return new ClearSky(tables).along(eyeHeight, Vec3.of(direction), towardsLight, metres);

@@ -1,10 +1,8 @@
 package nephele.engine.reference.tile;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -34,22 +32,24 @@ public final class MergedParts {
     }
 
     private static Part read(Path path) throws IOException {
-        try (FileChannel file = FileChannel.open(path, StandardOpenOption.READ)) {
-            PartFile.TileRecords records = PartFile.TileRecords.open(file);
-            if (records == null) {
+        try (BlockFile blocks = BlockFile.reading(path)) {
+            PartHeader header = blocks.head().map(PartHeader::parse).orElse(null);
+            if (header == null) {
                 throw new PartFileException(path, "is no part of a picture; name what --shard wrote");
             }
             List<TilePixels> tiles = new ArrayList<>();
-            for (TilePixels next = records.next(); next != null; next = records.next()) {
+            TilePixels next = PartFile.next(blocks, header.tiles());
+            while (next != null) {
                 tiles.add(next);
+                next = PartFile.next(blocks, header.tiles());
             }
-            if (!records.isAtEnd()) {
+            if (!blocks.isAtEnd()) {
                 throw new PartFileException(
                         path,
-                        "is cut off or damaged from byte " + records.end() + " on, after " + tiles.size()
+                        "is cut off or damaged from byte " + blocks.end() + " on, after " + tiles.size()
                                 + " tiles; run the command of this shard again, it goes on from there");
             }
-            return new Part(path, records.header(), tiles);
+            return new Part(path, header, tiles);
         } catch (NoSuchFileException missing) {
             throw new PartFileException(
                     path, "there is no such file; name the parts that --shard wrote, which end in .i-of-n.part");

@@ -6,7 +6,8 @@ import java.nio.file.Path;
 public final class PartFileException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    PartFileException(Path file, String problem) {
+    /** @param problem in words that follow the file's name and a colon */
+    public PartFileException(Path file, String problem) {
         super(file + ": " + problem);
     }
 }

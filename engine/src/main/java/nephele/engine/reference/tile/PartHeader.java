@@ -11,9 +11,6 @@ import java.util.Map;
  * @param facts what the picture depends on, in words, by name; parts of one picture have the same
  */
 public record PartHeader(PixelTiles tiles, Shard shard, Map<String, String> facts) {
-    /** The longest head that is read. */
-    static final int MOST_CHARACTERS = 1 << 16;
-
     private static final String FIRST_LINE = "nephele-part 1";
     private static final String SIZE = "size";
     private static final String SHARD = "shard";

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
 
@@ -46,6 +47,13 @@ public final class CloudMedia {
                 (r, item, limit) -> MajorantTracking.collision(media.get(item).field(), r, fromMetres, limit, random),
                 hit);
         return isMet ? new Collision(media.get(hit.item()), hit.distance()) : null;
+    }
+
+    /** Returns the media that have an extinction at a place. */
+    public List<CloudMedium> at(Vec3 place) {
+        return media.stream()
+                .filter(medium -> medium.field().perMetre(place.x(), place.y(), place.z()) > 0)
+                .toList();
     }
 
     /**

@@ -11,13 +11,6 @@ public final class OutsideLight implements Surroundings {
     private final List<DistantLight> lights;
     private final SkyRadiance sky;
 
-    private record Sun(Vec3 towards, Vec3 irradiance) implements DistantLight {
-        @Override
-        public Vec3 irradiance(Vec3 place) {
-            return irradiance;
-        }
-    }
-
     private OutsideLight(List<DistantLight> lights, SkyRadiance sky) {
         this.lights = lights;
         this.sky = sky;
@@ -39,7 +32,7 @@ public final class OutsideLight implements Surroundings {
         if (towards == null) {
             throw new IllegalArgumentException("the direction towards the sun has no length");
         }
-        return new OutsideLight(List.of(new Sun(towards, irradiance)), sky);
+        return new OutsideLight(List.of(new DistantLight.Even(towards, irradiance)), sky);
     }
 
     @Override

@@ -9,6 +9,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.BakedLight;
 
 /**
  * The request that a renderer's frames fulfil: everything on which the choice of passes depends.
@@ -22,16 +23,28 @@ public record FrameRequest(
      * Returns a request.
      *
      * @param statics the shapes that follow from the level
+     * @param light that was baked for them; {@code null} for none
      */
     public static FrameRequest of(
-            Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence character) {
+            Level level,
+            StaticShapes statics,
+            BakedLight light,
+            Output output,
+            Quality quality,
+            CharacterPresence character) {
         CharacterPresence presence = character.in(level);
-        return new FrameRequest(level, LightMaps.of(level, statics, quality, presence), output, quality, presence);
+        return new FrameRequest(
+                level, LightMaps.of(level, statics, light, quality, presence), output, quality, presence);
     }
 
-    /** Returns a request with quality HIGH and without a character. */
+    /** Returns a request with quality HIGH, without a character. @param light {@code null} for none */
+    public static FrameRequest of(PlacedLevel placed, BakedLight light, Output output) {
+        return of(placed.level(), placed.statics(), light, output, Quality.HIGH, CharacterPresence.NEVER);
+    }
+
+    /** Returns a request with quality HIGH, without a character and baked light. */
     public static FrameRequest of(PlacedLevel placed, Output output) {
-        return of(placed.level(), placed.statics(), output, Quality.HIGH, CharacterPresence.NEVER);
+        return of(placed, null, output);
     }
 
     public boolean hasBodies() {
@@ -70,7 +83,9 @@ public record FrameRequest(
     /** Returns true if ambient light is darkened near moving objects. */
     public boolean drawsContact() {
         Vec3 constant = level.environment().ambient();
-        boolean isAmbient = LightRequirements.skyShines(level) || constant != null && !constant.equals(Vec3.ZERO);
+        boolean isAmbient = LightRequirements.skyShines(level)
+                || constant != null && !constant.equals(Vec3.ZERO)
+                || lightMaps.bakes(LightMaps.Baked.BOUNCED);
         return quality.contact() == Quality.Contact.ON && isAmbient && (hasBodies() || mayShowCharacter());
     }
 

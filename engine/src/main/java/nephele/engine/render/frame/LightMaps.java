@@ -1,53 +1,125 @@
 package nephele.engine.render.frame;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.render.frame.Quality.DirectLight;
+import nephele.engine.render.frame.Quality.LightDirections;
+import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.IndirectLight;
 
 /**
- * The textures with which a level is lit. Passes are required, declare reads, compile and bind by this one value.
+ * The textures with which a level is lit, and the light that static surfaces take from them. Passes are required, declare
+ * reads, compile and bind by this one value.
  *
- * @param all textures for solids, with the light map of static faces
+ * @param solids textures for solids and models, with the light map of static faces
+ * @param ground textures for terrains, which have light maps of their own
  * @param dynamicObjects textures for dynamic objects, which have no place in the light map
  * @param gun textures for the gun before the eye, on which no dynamic object's shadow falls
+ * @param baked the light that static surfaces take from a bake; empty without one
  */
-public record LightMaps(TargetReads all, TargetReads dynamicObjects, TargetReads gun) {
-    public static LightMaps of(Level level, StaticShapes statics, Quality quality, CharacterPresence character) {
-        List<Target> shadows = new ArrayList<>();
-        boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
-        boolean lights = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
-        addIf(LightRequirements.sunShadow(level, statics), Target.SUN_SHADOW, shadows);
-        addIf(lights, Target.LIGHT_SHADOW, shadows);
-        addIf(
-                moving
-                        && LightRequirements.sun(level)
-                        && level.environment().sun().castsShadow(),
-                Target.DYNAMIC_SUN_SHADOW,
-                shadows);
-        addIf(moving && lights, Target.DYNAMIC_LIGHT_SHADOW, shadows);
-        addIf(
-                LightRequirements.sun(level)
-                        && !WeatherClouds.all(level.environment()).isEmpty(),
-                Target.CLOUD_SHADE,
-                shadows);
-        List<Target> all = new ArrayList<>(shadows);
-        addIf(LightRequirements.skyVisibility(level), Target.SKY_VISIBILITY, all);
-        List<Target> still = new ArrayList<>(shadows);
-        still.removeAll(List.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW));
-        return new LightMaps(new TargetReads(all), new TargetReads(shadows), new TargetReads(still));
+public record LightMaps(
+        TargetReads solids, TargetReads ground, TargetReads dynamicObjects, TargetReads gun, Set<Baked> baked) {
+    /** A part of baked light. */
+    public enum Baked {
+        /** Light that other surfaces have reflected or emit; it is in every bake. */
+        BOUNCED,
+        /** The sky's, which is drawn live otherwise. */
+        SKY,
+        /** That straight from sun or lamps: the following ones are in it. */
+        DIRECT,
+        SUN,
+        LAMPS,
+        /** Not light, but whence it comes, for normals that a normal map tilts. */
+        DIRECTIONS
     }
 
-    private static void addIf(boolean wanted, Target target, List<Target> targets) {
+    /** @param light {@code null} for none */
+    public static LightMaps of(
+            Level level, StaticShapes statics, BakedLight light, Quality quality, CharacterPresence character) {
+        Set<Baked> baked = baked(level, light == null ? null : light.indirect(), quality);
+        boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
+        boolean lamps = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
+        boolean sun = LightRequirements.sunShadow(level, statics);
+        boolean sunCasts =
+                LightRequirements.sun(level) && level.environment().sun().castsShadow();
+        // The maps of the static geometry are drawn once, so that what moves may have its shade.
+        boolean othersAreLit = moving
+                || !level.billboards().isEmpty()
+                || level.models().stream().anyMatch(model -> model.impostor());
+        List<Target> all = new ArrayList<>();
+        addIf(sun && (othersAreLit || !baked.contains(Baked.SUN)), Target.SUN_SHADOW, all);
+        addIf(lamps && (othersAreLit || !baked.contains(Baked.LAMPS)), Target.LIGHT_SHADOW, all);
+        addIf(moving && sunCasts && !baked.contains(Baked.SUN), Target.DYNAMIC_SUN_SHADOW, all);
+        addIf(moving && lamps && !baked.contains(Baked.LAMPS), Target.DYNAMIC_LIGHT_SHADOW, all);
+        boolean hasClouds = !WeatherClouds.all(level.environment()).isEmpty();
+        addIf(LightRequirements.sun(level) && hasClouds, Target.CLOUD_SHADE, all);
+        List<Target> still = new ArrayList<>(all);
+        still.removeAll(List.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW));
+        List<Target> ground = new ArrayList<>(all);
+        ground.removeIf(target -> target == Target.SUN_SHADOW && baked.contains(Baked.SUN)
+                || target == Target.LIGHT_SHADOW && baked.contains(Baked.LAMPS));
+        List<Target> solids = new ArrayList<>(ground);
+        addIf(LightRequirements.skyVisibility(level) && readsSky(level, baked), Target.SKY_VISIBILITY, solids);
+        addIf(baked.contains(Baked.BOUNCED) && LightRequirements.hasMeshes(level), Target.BAKED_LIGHT, solids);
+        return new LightMaps(
+                new TargetReads(solids),
+                new TargetReads(ground),
+                new TargetReads(all),
+                new TargetReads(still),
+                Set.copyOf(baked));
+    }
+
+    private static Set<Baked> baked(Level level, IndirectLight light, Quality quality) {
+        Set<Baked> baked = EnumSet.noneOf(Baked.class);
+        if (light == null || !LightRequirements.hasSurfaces(level)) {
+            return baked;
+        }
+        boolean isDirectBaked = quality.directLight() == DirectLight.BAKED
+                && light.layers().stream().anyMatch(layer -> layer.course() == IndirectLight.Course.DIRECT);
+        boolean isBounced = light.layers().stream().anyMatch(layer -> layer.course() == IndirectLight.Course.INDIRECT);
+        if (!isDirectBaked && !isBounced) {
+            return baked;
+        }
+        baked.add(Baked.BOUNCED);
+        boolean isTilted = level.materials().stream()
+                .anyMatch(material -> !material.lambert()
+                        || material.normalTexture() != null && quality.normalMaps() == NormalMaps.ON);
+        addIf(light.sky() == IndirectLight.SkyLight.BAKED, Baked.SKY, baked);
+        addIf(isDirectBaked, Baked.DIRECT, baked);
+        addIf(isDirectBaked && LightRequirements.sunStands(level), Baked.SUN, baked);
+        addIf(isDirectBaked && LightRequirements.lights(level), Baked.LAMPS, baked);
+        addIf(isTilted && quality.lightDirections() == LightDirections.ON, Baked.DIRECTIONS, baked);
+        return baked;
+    }
+
+    /** Lightning reaches only where the sky is visible, wherever the sky's own light is from. */
+    private static boolean readsSky(Level level, Set<Baked> baked) {
+        return !baked.contains(Baked.SKY) || level.environment().hasLightning();
+    }
+
+    private static <T> void addIf(boolean wanted, T element, Collection<T> elements) {
         if (wanted) {
-            targets.add(target);
+            elements.add(element);
         }
     }
 
+    /** Returns true if any surface reads a target. */
     public boolean has(Target target) {
-        return all.targets().contains(target);
+        return Stream.of(solids, ground, dynamicObjects, gun).anyMatch(reads -> reads.has(target));
+    }
+
+    /** Returns true if static surfaces take a part of light from the bake. */
+    public boolean bakes(Baked part) {
+        return baked.contains(part);
     }
 }

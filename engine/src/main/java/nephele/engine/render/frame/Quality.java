@@ -65,6 +65,21 @@ public record Quality(
                                 + " it, weighted. One gives shadows with steps.")
                 ShadowSampling shadowFilter,
         @QualitySetting(
+                        high = "live",
+                        low = "baked",
+                        title = "Light straight from sun and lamps",
+                        about = "Where a level's light was baked, walls take that of sun and lamps from the bake too:"
+                                + " a texture instead of shadow maps, with shadows as soft as its texels and none of"
+                                + " what moves. Without a bake it is always live.")
+                DirectLight directLight,
+        @QualitySetting(
+                        high = "on",
+                        low = "off",
+                        title = "Directions of baked light",
+                        about = "Baked light comes from somewhere, so that it shows relief and is reflected. Without"
+                                + " its directions normal maps are flat where no sun or lamp shines.")
+                LightDirections lightDirections,
+        @QualitySetting(
                         high = "999",
                         most = Quality.ALL_LIGHTS,
                         title = "Lamps with shadows",
@@ -284,6 +299,19 @@ public record Quality(
 
     /** Decides whether moving objects darken the ambient light of what is near them. */
     public enum Contact {
+        OFF,
+        ON
+    }
+
+    /** The source of the light straight from sun and lamps on static surfaces. */
+    public enum DirectLight {
+        LIVE,
+        /** The bake, if there is one; a sun that moves or shines through clouds stays live. */
+        BAKED
+    }
+
+    /** Whether baked light has directions. */
+    public enum LightDirections {
         OFF,
         ON
     }

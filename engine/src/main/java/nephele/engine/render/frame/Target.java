@@ -15,8 +15,10 @@ public enum Target {
     /** The sun's depth map of dynamic objects. */
     DYNAMIC_SUN_SHADOW(TextureUnit.DYNAMIC_SUN_SHADOW),
     DYNAMIC_LIGHT_SHADOW(TextureUnit.DYNAMIC_LIGHT_SHADOW),
-    /** Light map of the static faces. */
+    /** The fraction of the sky that the static faces see. */
     SKY_VISIBILITY(TextureUnit.SKY_VISIBILITY),
+    /** Light on the static faces that was baked; its second layer, if there is one, has directions. */
+    BAKED_LIGHT(TextureUnit.BAKED_LIGHT),
     /** The share of the sun's light that clouds leave, in a region around the level. */
     CLOUD_SHADE(TextureUnit.CLOUD_SHADE),
     /** The share of the light of each point of a bolt of lightning that clouds let through to the eye of the current view. */

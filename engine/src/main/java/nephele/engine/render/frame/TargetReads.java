@@ -21,6 +21,10 @@ public record TargetReads(List<Target> targets) {
         return new TargetReads(Stream.concat(targets.stream(), Stream.of(other)).toList());
     }
 
+    public boolean has(Target target) {
+        return targets.contains(target);
+    }
+
     /** Returns the targets for {@link Pass#reads}. */
     public Set<Target> declared() {
         return Set.copyOf(targets);

@@ -13,6 +13,8 @@ public enum PixelFormat {
     RG16(GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4),
     R32F(GL_R32F, GL_RED, GL_FLOAT, 4),
     RG16F(GL_RG16F, GL_RG, GL_FLOAT, 4),
+    /** Three positive numbers with a common exponent, filtered like others; shaders cannot draw to it. */
+    RGB9_E5(GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4),
     RGBA16F(GL_RGBA16F, GL_RGBA, GL_FLOAT, 8),
     RGBA32F(GL_RGBA32F, GL_RGBA, GL_FLOAT, 16),
     DEPTH24(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, 4),

@@ -1,7 +1,6 @@
 package nephele.engine.render.resource;
 
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LightMaps;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
@@ -42,10 +41,6 @@ public final class DynamicShadows implements GlObject {
 
     public boolean lights() {
         return lights;
-    }
-
-    Defines addTo(Defines defines) {
-        return defines.withIf(sun, "DYNAMIC_SUN_SHADOW").withIf(lights, "DYNAMIC_LIGHT_SHADOW");
     }
 
     /** Sets the current projection of the sun's map. */

@@ -2,6 +2,7 @@ package nephele.engine.render.resource;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -14,6 +15,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LightMaps;
+import nephele.engine.render.frame.LightMaps.Baked;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.render.frame.Quality.ShadowSampling;
@@ -224,32 +226,48 @@ public final class SurfaceLight {
         return lights;
     }
 
-    private boolean hasSkyVisibility() {
-        return maps.has(Target.SKY_VISIBILITY);
-    }
-
-    /** Returns true if light varies over a face. */
+    /** Returns true if light varies over a static face. */
     public boolean variesOverFaces() {
-        return needsPositions() || hasSkyVisibility();
+        return needsPositions() || maps.solids().has(Target.SKY_VISIBILITY) || maps.bakes(Baked.BOUNCED);
     }
 
-    /** Returns true if shaders need positions in the level. */
+    /** Returns true if shaders of static surfaces need positions in the level. */
     public boolean needsPositions() {
-        return maps.has(Target.SUN_SHADOW)
-                || maps.has(Target.CLOUD_SHADE)
-                || lights != null
-                || dynamicShadows.sun()
+        return maps.ground().has(Target.SUN_SHADOW)
+                || maps.ground().has(Target.CLOUD_SHADE)
+                || lights != null && !maps.bakes(Baked.LAMPS)
+                || maps.ground().has(Target.DYNAMIC_SUN_SHADOW)
                 || contact != null
                 || flash != null;
     }
 
+    /** Adds the defines for solids, whose faces are on the light map. */
     public Defines addTo(Defines defines) {
-        return addForModels(defines).withIf(hasSkyVisibility(), "SKY_VISIBILITY");
+        boolean hasSky = maps.solids().has(Target.SKY_VISIBILITY);
+        return addForMeshes(defines)
+                .withIf(hasSky, "SKY_VISIBILITY")
+                .withIf(hasSky || maps.bakes(Baked.BOUNCED), "LIGHT_MAP");
     }
 
-    /** Adds the defines for models, whose sky visibility is a vertex attribute. */
+    /** Adds the defines for models, whose sky visibility and baked light is that of their vertices. */
     public Defines addForModels(Defines defines) {
-        return addLights(defines).withIf(needsPositions(), "ANCHOR_POSITION").withIf(hasSkyVisibility(), "SKY_AMBIENT");
+        return addForMeshes(defines).withIf(maps.bakes(Baked.BOUNCED), "MODEL_LIGHT");
+    }
+
+    private Defines addForMeshes(Defines defines) {
+        return addStatic(defines)
+                .withIf(needsPositions(), "ANCHOR_POSITION")
+                .withIf(maps.solids().has(Target.SKY_VISIBILITY), "SKY_AMBIENT");
+    }
+
+    /** Adds the defines for terrains, which have light maps of their own. */
+    public Defines addForGround(Defines defines) {
+        return addStatic(defines).with("ANCHOR_POSITION").withIf(groundReadsSky(), "SKY_AMBIENT");
+    }
+
+    /** Returns true if shaders of terrains read a sky visibility. */
+    public boolean groundReadsSky() {
+        return LightRequirements.skyShines(level) && (!maps.bakes(Baked.SKY) || flash != null);
     }
 
     /**
@@ -257,30 +275,38 @@ public final class SurfaceLight {
      * probes.
      */
     public Defines addForDynamicObjects(Defines defines) {
-        return addLights(defines).with("ANCHOR_POSITION").withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
-    }
-
-    /** Adds the defines for the gun before the eye, on which no dynamic object's shadow falls. */
-    public Defines addForGun(Defines defines) {
-        return addStaticLights(defines)
+        return addContact(addLights(defines, maps.dynamicObjects(), Set.of()))
                 .with("ANCHOR_POSITION")
                 .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
 
-    private Defines addLights(Defines defines) {
-        return addContact(addStaticLights(dynamicShadows.addTo(defines)));
+    /** Adds the defines for the gun before the eye, on which no dynamic object's shadow falls. */
+    public Defines addForGun(Defines defines) {
+        return addLights(defines, maps.gun(), Set.of())
+                .with("ANCHOR_POSITION")
+                .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
+    }
+
+    private Defines addStatic(Defines defines) {
+        return addContact(addLights(defines, maps.ground(), maps.baked()))
+                .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
+                .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
+                .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
     }
 
     private Defines addContact(Defines defines) {
         return contact == null ? defines : defines.with("CONTACT").with("CONTACT_SPHERES", contactSpheres);
     }
 
-    private Defines addStaticLights(Defines defines) {
-        return defines.withIf(LightRequirements.sun(level), "SUN")
-                .withIf(maps.has(Target.SUN_SHADOW), "SUN_SHADOW")
-                .withIf(maps.has(Target.CLOUD_SHADE), "CLOUD_SHADE")
-                .withIf(lights != null, "PUNCTUAL_LIGHTS")
-                .withIf(maps.has(Target.LIGHT_SHADOW), "LIGHT_SHADOW")
+    /** @param baked the light that is not drawn live */
+    private Defines addLights(Defines defines, TargetReads reads, Set<Baked> baked) {
+        return defines.withIf(LightRequirements.sun(level) && !baked.contains(Baked.SUN), "SUN")
+                .withIf(reads.has(Target.SUN_SHADOW), "SUN_SHADOW")
+                .withIf(reads.has(Target.DYNAMIC_SUN_SHADOW), "DYNAMIC_SUN_SHADOW")
+                .withIf(reads.has(Target.DYNAMIC_LIGHT_SHADOW), "DYNAMIC_LIGHT_SHADOW")
+                .withIf(reads.has(Target.CLOUD_SHADE), "CLOUD_SHADE")
+                .withIf(lights != null && !baked.contains(Baked.LAMPS), "PUNCTUAL_LIGHTS")
+                .withIf(reads.has(Target.LIGHT_SHADOW), "LIGHT_SHADOW")
                 .withIf(flash != null, "FLASH")
                 .withIf(parts != LightParts.ALL, "LIGHT_PARTS")
                 .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
@@ -288,8 +314,7 @@ public final class SurfaceLight {
     }
 
     /**
-     * Binds the textures of a program compiled with {@link #addTo}, {@link #addForModels} or {@link
-     * #addForDynamicObjects}.
+     * Binds the textures of a program compiled with one of the sets of defines.
      *
      * @param reads those of {@link LightMaps} that the pass declares
      */

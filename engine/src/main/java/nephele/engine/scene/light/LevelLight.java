@@ -1,13 +1,15 @@
 package nephele.engine.scene.light;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.LightCache;
+import nephele.engine.scene.light.bake.LightMapLayout;
 import nephele.engine.scene.light.bake.SkyVisibility;
-import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.scene.light.bake.SkyVisibilityFile;
 import nephele.engine.work.SwingThread;
 
@@ -15,27 +17,56 @@ import nephele.engine.work.SwingThread;
 public final class LevelLight {
     private LevelLight() {}
 
+    /** Returns the light as {@link #of(PlacedLevel, DoubleConsumer, Consumer)} does; says nothing about light that is ignored. */
+    public static BakedLight of(PlacedLevel placed, DoubleConsumer progress) {
+        return of(placed, progress, stored -> {});
+    }
+
     /**
-     * Reads the sky visibility if it was baked before, otherwise bakes and stores it ({@link SkyVisibilityCache}). May run
-     * on a thread of its own while the level is edited; {@link nephele.engine.scene.Scene#edited} accepts the result
-     * then.
+     * Reads the light that was baked for the level, and the sky visibility, which it otherwise bakes and stores ({@link
+     * LightCache}). May run on a thread of its own while the level is edited; {@link
+     * nephele.engine.scene.Scene#edited} accepts the result then.
      *
      * @param progress receives the completed fraction of a bake, 0–1, from several threads; not called without a bake.
      *     An exception that it throws ends the bake, which stores nothing, and is rethrown here
-     * @return {@code null} if no light of the sky reaches anything
+     * @param report receives what was found of the level's own light, once
+     * @return {@code null} if no light of the sky reaches anything and no light was baked
      */
-    public static BakedLight of(PlacedLevel placed, DoubleConsumer progress) {
+    public static BakedLight of(PlacedLevel placed, DoubleConsumer progress, Consumer<StoredLight> report) {
         SwingThread.refuse("the bake of a sky");
         AirCache.prepare(placed.level().environment(), progress);
-        if (!LightRequirements.skyVisibility(placed.level())) {
-            return null;
-        }
-        return new BakedLight(SkyVisibilityCache.of(placed.assets()).of(baked(placed), progress), null);
+        SkyVisibility visibility =
+                isRequired(placed) ? LightCache.of(placed.assets()).of(baked(placed), progress) : null;
+        return with(visibility, placed, report);
     }
 
     /** Returns the light if it was baked before; bakes nothing. */
     public static Optional<BakedLight> known(PlacedLevel placed) {
-        return SkyVisibilityCache.of(placed.assets()).known(baked(placed)).map(known -> new BakedLight(known, null));
+        if (!isRequired(placed)) {
+            return Optional.ofNullable(with(null, placed, stored -> {}));
+        }
+        return LightCache.of(placed.assets()).known(baked(placed)).map(known -> with(known, placed, stored -> {}));
+    }
+
+    private static BakedLight with(SkyVisibility visibility, PlacedLevel placed, Consumer<StoredLight> report) {
+        StoredLight stored = StoredLight.of(placed, visibility == null ? () -> layout(placed) : visibility::layout);
+        report.accept(stored);
+        if (stored.light() == null) {
+            return visibility == null ? null : new BakedLight(visibility, null);
+        }
+        SkyVisibility seen = visibility == null
+                ? SkyVisibility.even(baked(placed), LightRequirements.skyShines(placed.level()))
+                : visibility;
+        return new BakedLight(seen, stored.light());
+    }
+
+    /** Returns what is found of the level's own light. */
+    public static StoredLight stored(PlacedLevel placed) {
+        return StoredLight.of(placed, () -> layout(placed));
+    }
+
+    private static LightMapLayout layout(PlacedLevel placed) {
+        return LightMapLayout.of(baked(placed).solids());
     }
 
     /** Returns true if the level needs a visibility at all. */
@@ -48,7 +79,8 @@ public final class LevelLight {
         return SkyVisibilityFile.nameFor(light.statics()).equals(SkyVisibilityFile.nameFor(baked(placed)));
     }
 
-    private static StaticShapes baked(PlacedLevel placed) {
+    /** Returns the static geometry of a level as light is baked for it. */
+    public static StaticShapes baked(PlacedLevel placed) {
         return placed.statics().split(SkyVisibility.MODEL_EDGE_METRES);
     }
 }

@@ -8,6 +8,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
@@ -18,6 +19,13 @@ public final class LightRequirements {
     public static boolean sun(Level level) {
         Sun sun = level.environment().sun();
         return sun != null && !sun.irradiance().equals(Vec3.ZERO);
+    }
+
+    /** Returns true if there is a sun whose light on the static geometry stays the same while one plays. */
+    public static boolean sunStands(Level level) {
+        return sun(level)
+                && !Daylight.moves(level.environment())
+                && WeatherClouds.all(level.environment()).isEmpty();
     }
 
     /**

@@ -47,7 +47,8 @@ public final class TerrainSky {
         this.values = values;
     }
 
-    private static int points(int cells) {
+    /** Returns the number of points along a side of so many cells. */
+    public static int points(int cells) {
         return Math.min(cells + 1, MOST_POINTS);
     }
 

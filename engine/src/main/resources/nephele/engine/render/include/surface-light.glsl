@@ -1,8 +1,18 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CONTACT (moving objects darken ambient light), CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
-// faces; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
+// faces; BAKED_LIGHT: light of baked-light.glsl in addition; SKY_BAKED: that of the sky is in it, and only lightning asks for its visibility; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
 // as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CONTACT, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
+
+#ifdef BAKED_LIGHT
+#include "baked-light.glsl"
+#endif
+#if defined(SKY_AMBIENT) && !defined(SKY_BAKED)
+#define SKY_LIGHT
+#endif
+#if defined(AMBIENT_CONSTANT) || defined(SKY_LIGHT) || defined(BAKED_LIGHT)
+#define AMBIENT
+#endif
 
 struct Surface {
     vec3 baseColour;
@@ -24,6 +34,9 @@ struct Surface {
 #ifdef SKY_AMBIENT
     float skyVisibility;  // 0 to 1
 #endif
+#ifdef BAKED_LIGHT
+    BakedLight baked;
+#endif
 #if defined(CONTACT) && defined(MOVING_RECEIVER)
     int instance;
 #endif
@@ -35,7 +48,7 @@ struct Surface {
 const float PI = 3.14159265;
 #endif
 
-#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT) || defined(FLASH)
+#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT) || defined(FLASH)
 #include "light.glsl"
 #endif
 #if defined(SUN_SHADOW) || defined(LIGHT_SHADOW) || defined(DYNAMIC_SUN_SHADOW)
@@ -60,11 +73,11 @@ const float PI = 3.14159265;
 #ifdef LIGHT_SHADOW
 #include "light-shadow.glsl"
 #endif
-#ifdef SKY_AMBIENT
+#ifdef SKY_LIGHT
 #include "sky-ambient.glsl"
 #endif
-#ifdef SKY_VISIBILITY
-#include "sky-visibility.glsl"
+#ifdef LIGHT_MAP
+#include "light-map.glsl"
 #endif
 
 // The largest finite half float: lights may be arbitrarily near and strong, but targets must not overflow.
@@ -179,17 +192,37 @@ vec3 allLights(REFLECTANCE r, Surface s) {
 }
 #endif
 
-// Ambient light. A rough approximation of reflection: the sky's irradiance in the mirrored direction, which is right
+#if defined(BAKED_LIGHT) || defined(CONTACT)
+// Returns the normal without a normal map, for which light is baked.
+vec3 ownNormal(Surface s) {
+#ifdef MODEL
+    return s.smoothNormal;
+#else
+    return s.faceNormal;
+#endif
+}
+#endif
+
+// Ambient light. A rough approximation of reflection: the irradiance in the mirrored direction, which is right
 // for matt metal and too blurred for polished metal.
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#ifdef AMBIENT
 vec3 ambientLight(REFLECTANCE r, Surface s) {
 #ifdef AMBIENT_CONSTANT
     vec3 diffuse = ambientRadiance;
     vec3 mirrored = ambientRadiance;
-#else
+#elif defined(SKY_LIGHT)
     vec3 diffuse = skyAmbient(s.normal) * s.skyVisibility;
 #ifdef METALLIC_ROUGHNESS
     vec3 mirrored = skyAmbient(reflect(-s.toEye, s.normal)) * s.skyVisibility;
+#endif
+#else
+    vec3 diffuse = vec3(0.0);
+    vec3 mirrored = vec3(0.0);
+#endif
+#ifdef BAKED_LIGHT
+    diffuse += radianceFacing(s.baked, s.normal, ownNormal(s));
+#ifdef METALLIC_ROUGHNESS
+    mirrored += radianceFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
 #endif
 #endif
 #ifdef METALLIC_ROUGHNESS
@@ -207,12 +240,10 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 #ifdef CONTACT
 // Returns the share of ambient light that moving objects do not hide.
 float contactShare(Surface s) {
-#if defined(MODEL)
-    return contactOpenShare(s.anchorPosition, s.smoothNormal, -1);
-#elif defined(MOVING_RECEIVER)
+#ifdef MOVING_RECEIVER
     return contactOpenShare(s.anchorPosition, s.faceNormal, s.instance);
 #else
-    return contactOpenShare(s.anchorPosition, s.faceNormal, -1);
+    return contactOpenShare(s.anchorPosition, ownNormal(s), -1);
 #endif
 }
 #endif
@@ -224,11 +255,11 @@ float contactShare(Surface s) {
 vec3 surfaceRadiance(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#ifdef AMBIENT
     sum += ambientLight(r, s);
-#endif
 #ifdef CONTACT
     sum *= contactShare(s);
+#endif
 #endif
 #ifdef LIGHT_PARTS
     r = shown(r);

@@ -32,6 +32,11 @@ record AddedAssets(AssetSource rest, Map<String, byte[]> added) implements Asset
     }
 
     @Override
+    public Optional<Path> levelFile() {
+        return rest.levelFile();
+    }
+
+    @Override
     public Optional<Path> cacheFolder() {
         return rest.cacheFolder();
     }

@@ -32,7 +32,7 @@ final class MeteredPicture implements AutoCloseable {
         Level level = new TestLevel().autoExposure().level();
         Scene scene = Scene.of(level, TestAssets.NONE);
         FrameRequest request =
-                FrameRequest.of(level, scene.statics(), Output.HDR, Quality.HIGH, CharacterPresence.NEVER);
+                FrameRequest.of(level, scene.statics(), null, Output.HDR, Quality.HIGH, CharacterPresence.NEVER);
         OwnedObjects owned = new OwnedObjects(gl);
         resources = new RenderResources(owned, LevelRenderer.drawn(owned, scene), request, null);
         pass = ExposurePass.FEATURE

@@ -81,7 +81,7 @@ class ContactGlTest {
 
     private static boolean darkens(TestLevel built, CharacterPresence character) {
         PlacedLevel placed = PlacedLevel.of(built.level(), new TestAssets());
-        return FrameRequest.of(placed.level(), placed.statics(), Output.HDR, ON, character)
+        return FrameRequest.of(placed.level(), placed.statics(), null, Output.HDR, ON, character)
                 .drawsContact();
     }
 

@@ -6,15 +6,15 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.LightCache;
 import nephele.engine.scene.light.bake.SkyVisibility;
-import nephele.engine.scene.light.bake.SkyVisibilityCache;
 import nephele.engine.sim.state.SimLevel;
 
 /** Everything that is derived from a level without OpenGL, as the editor keeps it. */
 public record EditedTown(PlacedLevel placed, Scene scene, SimLevel simulated) {
     /** Bakes the sky's light; nothing is saved to disk. */
     public static BakedLight baked(PlacedLevel placed) {
-        SkyVisibility visibility = new SkyVisibilityCache(placed.assets(), List.of())
+        SkyVisibility visibility = new LightCache(placed.assets(), List.of())
                 .of(placed.statics().split(SkyVisibility.MODEL_EDGE_METRES), done -> {});
         return new BakedLight(visibility, null);
     }

@@ -58,7 +58,8 @@ public final class SoakProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         var level = LevelCatalogue.first();
-        var prepared = Preparation.begin(level, QUALITY, fraction -> {}).get();
+        var prepared =
+                Preparation.begin(level, QUALITY, fraction -> {}, warning -> {}).get();
         var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);

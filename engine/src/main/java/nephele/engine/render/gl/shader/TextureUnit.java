@@ -92,8 +92,12 @@ public enum TextureUnit {
     /** The heights and slopes of a terrain, which is drawn before there are copies of a view. */
     TERRAIN_HEIGHTS(12, "terrainHeights"),
     TERRAIN_SLOPES(13, "terrainSlopes"),
-    /** The painted layers of a terrain, whose program may read fifteen other textures; a shader can read 16. */
+    /** The painted layers of a terrain, whose program may read sixteen other textures, one of them in vertices; a shader can read 16. */
     TERRAIN_LAYERS(16, "layerMap"),
+    /** The baked light of static faces, or of a terrain. */
+    BAKED_LIGHT(17, "bakedLight"),
+    /** The baked light of each vertex of the models, which are drawn before there are copies of a view. */
+    MODEL_LIGHT(12, "modelLight"),
     /** The metered exposure, bound throughout a frame. */
     EXPOSURE(15, "exposure"),
 
@@ -104,7 +108,7 @@ public enum TextureUnit {
     SCENE_LIGHTS(3, "fixedLights"),
     SCENE_PICTURE(4, "picture");
 
-    public static final int COUNT = 17;
+    public static final int COUNT = 18;
 
     private static final Map<String, TextureUnit> BY_SAMPLER = Stream.of(values())
             .flatMap(unit -> unit.samplers.stream().map(name -> Map.entry(name, unit)))

@@ -29,6 +29,7 @@ import nephele.engine.render.resource.EyeUniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
 import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.render.resource.SummedLight;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightRequirements;
@@ -36,7 +37,12 @@ import nephele.engine.scene.light.LightRequirements;
 /** Draws solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy)
-            .using(SolidMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
+            .using(
+                    SolidMesh.RESOURCE,
+                    PictureArrays.COLOURS,
+                    PictureArrays.NORMALS,
+                    SurfaceLight.RESOURCE,
+                    SummedLight.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 
@@ -49,6 +55,8 @@ public final class SolidPass implements Pass {
     private final PictureArrays colours;
     private final PictureArrays normals;
     private final SurfaceLight light;
+    /** {@code null} without baked light. */
+    private final SummedLight baked;
     /** Writes only depth; {@code null} if light is constant over each face and costs little. */
     private final GlProgram<EyeUniforms> depthFirst;
 
@@ -61,6 +69,7 @@ public final class SolidPass implements Pass {
         colours = context.get(PictureArrays.COLOURS);
         normals = context.get(PictureArrays.NORMALS);
         light = context.get(SurfaceLight.RESOURCE);
+        baked = context.get(SummedLight.RESOURCE);
         depthFirst = light.variesOverFaces() ? depthProgram(context) : null;
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));
@@ -97,7 +106,7 @@ public final class SolidPass implements Pass {
             return List.of();
         }
         String what = LightRequirements.surfaces(level);
-        TargetReads reads = request.lightMaps().all();
+        TargetReads reads = request.lightMaps().solids();
         return List.of(new Required(what + ": surfaces to see", context -> new SolidPass(context, reads)));
     }
 
@@ -116,6 +125,9 @@ public final class SolidPass implements Pass {
             gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         }
         light.bind(reads);
+        if (baked != null && baked.models() != null) {
+            baked.models().bind(TextureUnit.MODEL_LIGHT);
+        }
         for (int i = 0; i < programOfBatch.size(); i++) {
             if (frame.visible().size(i) > 0) {
                 drawBatch(frame, i);

@@ -27,13 +27,13 @@ import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SummedLight;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainMesh;
 import nephele.engine.render.resource.TerrainTiles;
 import nephele.engine.render.resource.TerrainTiles.Slopes;
 import nephele.engine.render.resource.TerrainUniforms;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.TerrainSky;
 import org.lwjgl.system.MemoryUtil;
 
@@ -51,8 +51,11 @@ final class GroundDrawing {
     private final SurfaceLight light;
     private final MaterialBlocks materials;
     private final List<Part> parts;
-    /** The sky visibility; {@code null} if the sky does not shine. */
+    /** The sky visibility; {@code null} if no light needs it. */
     private final Texture sky;
+
+    /** {@code null} if no light was baked. */
+    private final Texture bakedLight;
 
     /** {@code null} without painted layers. */
     private final LayerMap paintedLayers;
@@ -85,7 +88,9 @@ final class GroundDrawing {
         parts = slopes(context.quality()).stream()
                 .map(slopes -> new Part(slopes, program(context, slopes)))
                 .toList();
-        sky = LightRequirements.skyShines(context.scene().level()) ? sky(context, grid.field()) : null;
+        SummedLight summed = context.get(SummedLight.RESOURCE);
+        bakedLight = summed == null ? null : summed.ground(grid);
+        sky = light.groundReadsSky() ? sky(context, grid.field()) : null;
         colours = isBaked ? baked(context, grid) : look.kind().isTextured() ? colours(context, look.colours()) : null;
         normals =
                 MaterialBlocks.readsNormalMap(look.kind(), context.quality()) ? normals(context, look.normals()) : null;
@@ -196,7 +201,7 @@ final class GroundDrawing {
 
     private GlProgram<GroundUniforms> program(LoadContext context, Slopes slopes) {
         var defines = materials
-                .addTo(light.addForDynamicObjects(Defines.of(context)), look.kind(), context.quality())
+                .addTo(light.addForGround(Defines.of(context)), look.kind(), context.quality())
                 .withIf(tiles != null, "DETAIL")
                 .withIf(isBaked, "BAKED")
                 .withIf(slopes == Slopes.GENTLE, "FROM_ABOVE")
@@ -248,6 +253,9 @@ final class GroundDrawing {
         mesh.bind();
         if (sky != null) {
             sky.bind(TextureUnit.SKY_VISIBILITY);
+        }
+        if (bakedLight != null) {
+            bakedLight.bind(TextureUnit.BAKED_LIGHT);
         }
         if (paint != null) {
             paint.bind(TextureUnit.TERRAIN_LAYERS);

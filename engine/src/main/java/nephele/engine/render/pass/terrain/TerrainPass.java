@@ -18,13 +18,19 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.resource.PictureArrays;
+import nephele.engine.render.resource.SummedLight;
 import nephele.engine.render.resource.SurfaceLight;
 import nephele.engine.render.resource.TerrainMesh;
 
 /** Draws terrains, with all their triangles or with as many as the view needs. */
 public final class TerrainPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("terrain", Stage.IN_VIEWS, TerrainPass::requiredBy)
-            .using(TerrainMesh.RESOURCE, PictureArrays.COLOURS, PictureArrays.NORMALS, SurfaceLight.RESOURCE);
+            .using(
+                    TerrainMesh.RESOURCE,
+                    PictureArrays.COLOURS,
+                    PictureArrays.NORMALS,
+                    SurfaceLight.RESOURCE,
+                    SummedLight.RESOURCE);
 
     private final GlContext gl;
     private final TargetReads reads;
@@ -46,7 +52,7 @@ public final class TerrainPass implements Pass {
         if (request.level().terrains().isEmpty()) {
             return List.of();
         }
-        TargetReads reads = request.lightMaps().dynamicObjects();
+        TargetReads reads = request.lightMaps().ground();
         return List.of(new Required("terrains: ground to see", context -> new TerrainPass(context, reads)));
     }
 

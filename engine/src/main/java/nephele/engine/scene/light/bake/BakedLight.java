@@ -2,6 +2,7 @@ package nephele.engine.scene.light.bake;
 
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 
 /**
@@ -23,6 +24,16 @@ public record BakedLight(SkyVisibility visibility, IndirectLight indirect) {
 
     public LightMapLayout layout() {
         return visibility.layout();
+    }
+
+    /** Returns the number here of a terrain of an edited level; {@link SkyVisibility#NEW} if none had its id. */
+    public int groundOf(StaticShape.HeightGrid grid) {
+        for (StaticShape.HeightGrid baked : statics().ground()) {
+            if (baked.id().equals(grid.id())) {
+                return statics().ground().indexOf(baked);
+            }
+        }
+        return SkyVisibility.NEW;
     }
 
     /** Returns true if it was baked for solids of these shapes, so that the charts belong to the same indices. */

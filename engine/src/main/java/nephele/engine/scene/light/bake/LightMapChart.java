@@ -77,7 +77,7 @@ public record LightMapChart(
     }
 
     /** Returns the point of the fragment nearest to a (fractional) texel position, at a distance from the border. */
-    Vector3d inside(double column, double row) {
+    public Vector3d inside(double column, double row) {
         return clampedIntoOutline(pointAt(column, row), insetMetres());
     }
 
@@ -106,6 +106,24 @@ public record LightMapChart(
         double s = across.dot(p.x(), p.y(), p.z()) - minAcross;
         double t = up.dot(p.x(), p.y(), p.z()) - minUp;
         return Math.hypot(Math.max(0, Math.max(-s, s - widthMetres)), Math.max(0, Math.max(-t, t - heightMetres)));
+    }
+
+    /** Returns how far a point of the plane is outside the fragment, metres; negative inside. */
+    public double metresOutside(Vec3 p) {
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < outline.size(); i++) {
+            Vec3 a = outline.get(i);
+            Vec3 edge = outline.get((i + 1) % outline.size()).minus(a);
+            double dx = p.x() - a.x();
+            double dy = p.y() - a.y();
+            double dz = p.z() - a.z();
+            double crossX = edge.y() * normal.z - edge.z() * normal.y;
+            double crossY = edge.z() * normal.x - edge.x() * normal.z;
+            double crossZ = edge.x() * normal.y - edge.y() * normal.x;
+            double length = Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
+            farthest = Math.max(farthest, (dx * crossX + dy * crossY + dz * crossZ) / length);
+        }
+        return farthest;
     }
 
     /** Returns the nearest point of the fragment at a distance of {@code inset} from its border. */

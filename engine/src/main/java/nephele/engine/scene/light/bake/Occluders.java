@@ -73,7 +73,7 @@ public final class Occluders {
     }
 
     /** Returns the item of a convex model of the level, {@link #NONE} for any other model. */
-    int itemOfModel(int model) {
+    public int itemOfModel(int model) {
         return itemOfModel.getOrDefault(model, NONE);
     }
 

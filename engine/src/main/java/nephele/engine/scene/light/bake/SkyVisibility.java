@@ -22,15 +22,25 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
     /** The greatest edge of flat models, which are split; a texel of 0.25 m costs less than a vertex. */
     public static final double MODEL_EDGE_METRES = 0.5;
 
+    /** Stands for a vertex that was not baked. */
+    public static final int NEW = -1;
+
     /** The value 1. */
     private static final short ALL = (short) 0xffff;
 
     /** Returns the visibility before any bake: 1 everywhere. */
     public static SkyVisibility open() {
-        LightMapLayout layout = LightMapLayout.of(List.of());
+        return even(StaticShapes.of(List.of()), true);
+    }
+
+    /** Returns the visibility of a level for which none is baked, because no sky shines or only terrain is lit. */
+    public static SkyVisibility even(StaticShapes statics, boolean isOpen) {
+        LightMapLayout layout = LightMapLayout.of(statics.solids());
         short[] texels = new short[layout.width() * layout.height()];
-        Arrays.fill(texels, ALL);
-        return new SkyVisibility(layout, StaticShapes.of(List.of()), texels, new short[0]);
+        short[] ofModels = new short[statics.models().vertexCount()];
+        Arrays.fill(texels, isOpen ? ALL : 0);
+        Arrays.fill(ofModels, isOpen ? ALL : 0);
+        return new SkyVisibility(layout, statics, texels, ofModels);
     }
 
     /**
@@ -67,14 +77,30 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
                                 .equals(baked.get(i).shape()));
     }
 
-    /** Returns the values for an edited level: models with the same id and vertex count keep theirs, others get 1. */
+    /** Returns the values for an edited level: vertices of {@link #vertices} keep theirs, others get 1. */
     public short[] ofModels(PlacedModels models) {
-        List<PlacedModel> baked = statics.models().all();
-        if (IdentityDiff.list(baked, models.all()) == baked) {
+        int[] vertices = vertices(models);
+        if (vertices == null) {
             return ofModels;
         }
-        short[] values = new short[models.vertexCount()];
-        Arrays.fill(values, ALL);
+        short[] values = new short[vertices.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = vertices[i] == NEW ? ALL : ofModels[vertices[i]];
+        }
+        return values;
+    }
+
+    /**
+     * Returns for every vertex of the models of an edited level its number here, {@link #NEW} if no model had the same id
+     * and number of vertices; {@code null} if all are the same.
+     */
+    public int[] vertices(PlacedModels models) {
+        List<PlacedModel> baked = statics.models().all();
+        if (IdentityDiff.list(baked, models.all()) == baked) {
+            return null;
+        }
+        int[] numbers = new int[models.vertexCount()];
+        Arrays.fill(numbers, NEW);
         int at = 0;
         for (PlacedModel model : models.all()) {
             int from = 0;
@@ -83,14 +109,14 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
                 boolean isSame = old.authored().id().equals(model.authored().id())
                         && old.triangles().positions().length
                                 == model.triangles().positions().length;
-                if (isSame) {
-                    System.arraycopy(ofModels, from, values, at, count);
+                for (int i = 0; isSame && i < count; i++) {
+                    numbers[at + i] = from + i;
                 }
                 from += count;
             }
             at += model.triangles().positions().length / 3;
         }
-        return values;
+        return numbers;
     }
 
     /** Returns the column and the row of the texel with the greatest visibility. */

@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -88,7 +89,7 @@ public final class SkyVisibilityFile {
         return buffer.array();
     }
 
-    private static MessageDigest sha256() {
+    static MessageDigest sha256() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -115,7 +116,8 @@ public final class SkyVisibilityFile {
         return bytes.toByteArray();
     }
 
-    private static void write(short[] values, DataOutputStream body) throws IOException {
+    /** Writes values as differences between consecutive ones. */
+    static void write(short[] values, DataOutputStream body) throws IOException {
         short previous = 0;
         for (short value : values) {
             body.writeShort(value - previous);
@@ -124,7 +126,7 @@ public final class SkyVisibilityFile {
     }
 
     /** Returns a checksum of all charts' positions: a map of the same size may be packed in another order. */
-    private static long placement(LightMapLayout layout) {
+    static long placement(LightMapLayout layout) {
         CRC32 crc = new CRC32();
         ByteBuffer place = ByteBuffer.allocate(4 * Integer.BYTES);
         for (int i = 0; i < layout.charts().size(); i++) {
@@ -161,7 +163,8 @@ public final class SkyVisibilityFile {
         }
     }
 
-    private static short[] values(InflaterInputStream body, int count) throws IOException {
+    /** Reads what {@link #write} wrote. */
+    static short[] values(InputStream body, int count) throws IOException {
         byte[] packed = body.readNBytes(2 * count);
         if (packed.length != 2 * count) {
             throw new IOException("too short");

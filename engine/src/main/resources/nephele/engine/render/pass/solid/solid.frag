@@ -31,11 +31,17 @@ in vec3 smoothNormal;
 #ifdef SKY_AMBIENT
 in float skyVisibility;
 #endif
+#ifdef BAKED_LIGHT
+in vec3 bakedRadiance;
+#ifdef BAKED_DIRECTION
+in vec3 bakedDirection;
+#endif
+#endif
 #endif
 #ifdef ANCHOR_POSITION
 in vec3 anchorPosition;
 #endif
-#ifdef SKY_VISIBILITY
+#ifdef LIGHT_MAP
 in vec2 lightMapPosition;
 #endif
 #ifdef EMISSION
@@ -105,8 +111,19 @@ vec3 litRadiance(vec3 texel) {
 #ifdef ANCHOR_POSITION
     s.anchorPosition = atCovered(anchorPosition, offset);
 #endif
+#ifdef LIGHT_MAP
+    vec2 onMap = atCovered(vec3(lightMapPosition, 0.0), offset).xy;
+#ifdef BAKED_LIGHT
+    s.baked = bakedLightAt(onMap);
+#endif
+#elif defined(BAKED_LIGHT)
+    s.baked.radiance = bakedRadiance;
+#ifdef BAKED_DIRECTION
+    s.baked.direction = bakedDirection;
+#endif
+#endif
 #ifdef SKY_VISIBILITY
-    s.skyVisibility = skyVisibilityAt(atCovered(vec3(lightMapPosition, 0.0), offset).xy);
+    s.skyVisibility = skyVisibilityAt(onMap);
 #elif defined(SKY_AMBIENT)
     s.skyVisibility = skyVisibility;
 #endif

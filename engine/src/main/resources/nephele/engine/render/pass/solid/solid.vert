@@ -1,8 +1,11 @@
 #include "relative-position.glsl"
 #include "materials.glsl"
 // Each file is included once, so the one that both branches need comes first.
-#ifdef SKY_VISIBILITY
-#include "sky-visibility.glsl"
+#ifdef BAKED_LIGHT
+#include "baked-light.glsl"
+#endif
+#ifdef LIGHT_MAP
+#include "light-map.glsl"
 #endif
 #ifdef FLAT_LIGHT
 #include "surface-light.glsl"
@@ -10,7 +13,7 @@
 
 layout(location = 1) in vec4 normalAndMaterial;
 layout(location = 2) in vec2 textureCoordinates;
-#ifdef SKY_VISIBILITY
+#ifdef LIGHT_MAP
 layout(location = 3) in vec2 lightMapSixteenths;
 #endif
 #ifdef MODEL
@@ -35,12 +38,18 @@ out vec3 smoothNormal;
 #ifdef SKY_AMBIENT
 out float skyVisibility;
 #endif
+#ifdef BAKED_LIGHT
+out vec3 bakedRadiance;
+#ifdef BAKED_DIRECTION
+out vec3 bakedDirection;
+#endif
+#endif
 #endif
 #ifdef ANCHOR_POSITION
 uniform vec3 cellFromAnchor; // the cell's origin, metres from the anchor
 out vec3 anchorPosition;
 #endif
-#ifdef SKY_VISIBILITY
+#ifdef LIGHT_MAP
 out vec2 lightMapPosition;
 #endif
 #ifdef EMISSION
@@ -73,11 +82,18 @@ void main() {
 #ifdef SKY_AMBIENT
     skyVisibility = smoothNormalAndSky.w / 32767.0;
 #endif
+#ifdef BAKED_LIGHT
+    BakedLight baked = bakedLightOfVertex(gl_VertexID);
+    bakedRadiance = baked.radiance;
+#ifdef BAKED_DIRECTION
+    bakedDirection = baked.direction;
+#endif
+#endif
 #endif
 #ifdef ANCHOR_POSITION
     anchorPosition = position + cellFromAnchor;
 #endif
-#ifdef SKY_VISIBILITY
+#ifdef LIGHT_MAP
     lightMapPosition = lightMapCoordinates(lightMapSixteenths);
 #endif
 }

@@ -35,6 +35,14 @@ vec3 smoothNormalAt(vec2 place) {
     return normalize(vec3(-rise.x, 1.0, -rise.y));
 }
 
+#if defined(SKY_AMBIENT) || defined(BAKED_LIGHT)
+// Returns a place in columns and rows as texture coordinates of a picture whose outer texels' centres lie on the border.
+vec2 gridCoordinates(vec2 place, vec2 texels) {
+    vec2 last = vec2(textureSize(terrainSlopes, 0) - 1);
+    return (place / last * (texels - 1.0) + 0.5) / texels;
+}
+#endif
+
 // Returns the normal of the drawn triangle.
 vec3 triangleNormal() {
     vec3 n = normalize(cross(dFdx(relativePosition), dFdy(relativePosition)));
@@ -71,9 +79,10 @@ void main() {
     s.anchorPosition = atCovered(anchorPosition, coveredOffset());
 #endif
 #ifdef SKY_AMBIENT
-    vec2 last = vec2(textureSize(terrainSlopes, 0) - 1);
-    vec2 points = vec2(textureSize(terrainSky, 0));
-    s.skyVisibility = texture(terrainSky, (fieldPosition / last * (points - 1.0) + 0.5) / points).r;
+    s.skyVisibility = texture(terrainSky, gridCoordinates(fieldPosition, vec2(textureSize(terrainSky, 0)))).r;
+#endif
+#ifdef BAKED_LIGHT
+    s.baked = bakedLightAt(gridCoordinates(fieldPosition, vec2(textureSize(bakedLight, 0).xy)));
 #endif
     writeRadiance(surfaceRadiance(s) + ground.emission, relativePosition);
 }

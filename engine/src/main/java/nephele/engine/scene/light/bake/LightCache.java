@@ -12,7 +12,7 @@ import nephele.engine.asset.CacheFolder;
 import nephele.engine.level.placed.StaticShapes;
 
 /**
- * Finds a baked sky visibility or bakes it. Levels shipped with the game have theirs in {@code baked/} beside them, in
+ * Finds baked light, and bakes a sky visibility that it does not find. Levels shipped with the game have theirs in {@code baked/} beside them, in
  * the checkout and in the jar; for others {@code cache/} beside the level and the user's own cache folder are searched.
  * A new bake is written to the first of these that is writable, which then deletes the least recently used files above
  * its limit. A cache that cannot be written only costs time.
@@ -20,17 +20,23 @@ import nephele.engine.level.placed.StaticShapes;
  * @param assets the level's assets, read for {@code baked/} and {@code cache/}
  * @param writable folders in order of preference
  */
-public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
+public record LightCache(AssetSource assets, List<Path> writable) {
     /** The folder beside a level that is shipped with the game. */
     public static final String SHIPPED = "baked/";
 
-    /** Suffices for some thousand levels. */
+    /** The folders beside a level, in the order in which they are searched. */
+    public static final List<String> FOLDERS = List.of(SHIPPED, "cache/");
+
+    /** The glob of the files' names. */
+    private static final String NAMES = "{" + SkyVisibilityFile.NAMES + "," + LightKey.NAMES + "}";
+
+    /** Suffices for some thousand sky visibilities, or some fifty levels with all their light. */
     private static final long MOST_BYTES = 64 << 20;
 
     /** Returns the cache in a folder beside the level if there is one, and in the user's cache folder. */
-    public static SkyVisibilityCache of(AssetSource assets) {
+    public static LightCache of(AssetSource assets) {
         Path own = CacheFolder.ofUser();
-        return new SkyVisibilityCache(
+        return new LightCache(
                 assets, assets.cacheFolder().map(beside -> List.of(beside, own)).orElse(List.of(own)));
     }
 
@@ -56,9 +62,10 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
                 .flatMap(bytes -> SkyVisibilityFile.decode(LightMapLayout.of(statics.solids()), statics, bytes));
     }
 
-    private Optional<byte[]> stored(String name) {
+    /** Returns the bytes of a file of baked light. */
+    public Optional<byte[]> stored(String name) {
         try {
-            for (String folder : List.of(SHIPPED, "cache/")) {
+            for (String folder : FOLDERS) {
                 if (assets.exists(folder + name)) {
                     return Optional.of(assets.bytes(folder + name));
                 }
@@ -73,10 +80,11 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     }
 
     private Stream<CacheFolder> folders() {
-        return writable.stream().map(path -> new CacheFolder(path, SkyVisibilityFile.NAMES, MOST_BYTES));
+        return writable.stream().map(path -> new CacheFolder(path, NAMES, MOST_BYTES));
     }
 
-    private void store(String name, byte[] bytes) {
+    /** Writes a file to the first folder that can be written. */
+    public void store(String name, byte[] bytes) {
         for (CacheFolder folder : folders().toList()) {
             try {
                 folder.store(name, bytes);

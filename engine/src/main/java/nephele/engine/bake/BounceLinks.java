@@ -1,0 +1,170 @@
+package nephele.engine.bake;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.math.Hash64;
+import nephele.engine.reference.GatherRays;
+import org.joml.Vector3dc;
+
+/**
+ * A few rays of every receiver, kept as links to the receivers at their ends: light is sent along them again and again
+ * until it does not change (Jacobi's iteration of the radiosity equation), without a ray more.
+ */
+final class BounceLinks {
+    private static final int RAYS = 64;
+
+    /** The change of all light, as a share of it, at which it is balanced. */
+    private static final double BALANCED = 1e-5;
+
+    /** An albedo of .99 needs 1,145 steps to this balance. */
+    private static final int MOST_STEPS = 2000;
+
+    private static final int CHANNELS = 3;
+
+    /** The reflectance 1; up to twice as much fits. */
+    private static final double ONE = 32767;
+
+    private final LightBake bake;
+    private final Receivers receivers;
+    private final int layers;
+    private final int[] ends;
+    private final short[] reflectances;
+    /** The light that comes from elsewhere than from receivers, or is reflected once from direct light. */
+    private final float[] first;
+
+    private float[] radiance;
+    private float[] next;
+
+    BounceLinks(LightBake bake) {
+        this.bake = bake;
+        receivers = bake.allReceivers();
+        layers = bake.layers();
+        ends = new int[RAYS * receivers.count()];
+        reflectances = new short[CHANNELS * ends.length];
+        first = new float[CHANNELS * layers * receivers.count()];
+    }
+
+    /** Traces the rays, then balances {@link LightBake#indirect}. */
+    void balance(DoubleConsumer progress) {
+        bake.inParallel(progress, this::trace);
+        radiance = first.clone();
+        next = new float[first.length];
+        double change = 1;
+        for (int step = 0; step < MOST_STEPS && change > BALANCED; step++) {
+            change = step();
+        }
+        float[] indirect = bake.indirect();
+        for (int receiver = 0; receiver < receivers.count(); receiver++) {
+            for (int layer = 0; layer < layers; layer++) {
+                copy(CHANNELS * (receiver * layers + layer), Gathered.VALUES * (receiver * layers + layer), indirect);
+            }
+        }
+    }
+
+    private void trace(GatherRays ray, int block) {
+        int[] corners = new int[Receivers.CORNERS];
+        double[] weights = new double[Receivers.CORNERS];
+        float[] values = new float[Gathered.VALUES * layers];
+        for (int receiver = LightBake.firstOf(block); receiver < bake.lastOf(block); receiver++) {
+            Receivers.Spot spot = receivers.spot(receiver);
+            Arrays.fill(ends, RAYS * receiver, RAYS * (receiver + 1), -1);
+            if (spot.places().isEmpty()) {
+                continue;
+            }
+            SplittableRandom random = new SplittableRandom(Hash64.combine(receiver, 0));
+            long shift = random.nextLong();
+            Gathered sum = new Gathered(layers);
+            int link = RAYS * receiver;
+            for (int i = 0; i < RAYS; i++) {
+                int at = link + i;
+                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, met, direction, cosine, to) -> {
+                    if (end != GatherRays.End.OTHER) {
+                        receivers.around(end, met, corners, weights);
+                        ends[at] = chosen(corners, weights, random.nextDouble());
+                        keep(met.reflectance(), at);
+                        bake.addReflected(met, direction, cosine, to, bake.direct(), corners, weights);
+                    }
+                });
+            }
+            int at = receiver * Gathered.VALUES * layers;
+            sum.write(1.0 / RAYS, values, 0);
+            System.arraycopy(values, 0, bake.indirect(), at, values.length);
+            for (int layer = 0; layer < layers; layer++) {
+                System.arraycopy(
+                        values, Gathered.VALUES * layer, first, CHANNELS * (receiver * layers + layer), CHANNELS);
+            }
+        }
+    }
+
+    /** Returns one of the corners, each with the probability of its weight. */
+    private static int chosen(int[] corners, double[] weights, double at) {
+        double left = at;
+        for (int i = 0; i < corners.length; i++) {
+            left -= weights[i];
+            if (left < 0) {
+                return corners[i];
+            }
+        }
+        return corners[0];
+    }
+
+    private void keep(Vector3dc reflectance, int link) {
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            double value = Math.min(2, reflectance.get(channel)) * ONE;
+            reflectances[CHANNELS * link + channel] = (short) Math.round(value);
+        }
+    }
+
+    /** Sends light along all links once; returns the change of all light as a share of it. */
+    private double step() {
+        double[] sums = new double[bake.blocks()];
+        double[] changes = new double[bake.blocks()];
+        IntStream.range(0, bake.blocks()).parallel().forEach(block -> {
+            for (int receiver = LightBake.firstOf(block); receiver < bake.lastOf(block); receiver++) {
+                for (int layer = 0; layer < layers; layer++) {
+                    send(receiver, layer, block, sums, changes);
+                }
+            }
+        });
+        float[] before = radiance;
+        radiance = next;
+        next = before;
+        double sum = Arrays.stream(sums).sum();
+        return sum == 0 ? 0 : Arrays.stream(changes).sum() / sum;
+    }
+
+    private void send(int receiver, int layer, int block, double[] sums, double[] changes) {
+        float red = 0;
+        float green = 0;
+        float blue = 0;
+        for (int link = RAYS * receiver; link < RAYS * (receiver + 1); link++) {
+            if (ends[link] >= 0) {
+                int from = CHANNELS * (ends[link] * layers + layer);
+                int by = CHANNELS * link;
+                red += radiance[from] * (reflectances[by] & 0xffff);
+                green += radiance[from + 1] * (reflectances[by + 1] & 0xffff);
+                blue += radiance[from + 2] * (reflectances[by + 2] & 0xffff);
+            }
+        }
+        float mean = (float) (1 / (ONE * RAYS));
+        int at = CHANNELS * (receiver * layers + layer);
+        next[at] = first[at] + red * mean;
+        next[at + 1] = first[at + 1] + green * mean;
+        next[at + 2] = first[at + 2] + blue * mean;
+        double now = Gathered.luminance(next[at], next[at + 1], next[at + 2]);
+        sums[block] += now;
+        changes[block] += Math.abs(now - Gathered.luminance(radiance[at], radiance[at + 1], radiance[at + 2]));
+    }
+
+    /** Copies the balanced radiance; its moments are those of the first light, strengthened alike. */
+    private void copy(int from, int to, float[] indirect) {
+        double before = Gathered.luminance(first[from], first[from + 1], first[from + 2]);
+        double now = Gathered.luminance(radiance[from], radiance[from + 1], radiance[from + 2]);
+        System.arraycopy(radiance, from, indirect, to, CHANNELS);
+        for (int i = CHANNELS; i < Gathered.VALUES; i++) {
+            indirect[to + i] *= (float) (before > 0 ? now / before : 0);
+        }
+    }
+}

@@ -1,0 +1,482 @@
+package nephele.engine.bake;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.RecordCopy;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Hash64;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.GatherRays;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.scene.light.bake.IndirectLight;
+import nephele.engine.scene.light.bake.LightMapLayout;
+import nephele.engine.scene.light.bake.LightSamples;
+import nephele.engine.scene.light.bake.SkyVisibility;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Works out the light on a level's static geometry: first the light straight from sun and lamps, then that which bounces,
+ * balanced between all receivers along few rays ({@link BounceLinks}), at last gathered once more for each receiver along
+ * as many rays as its error demands. Light does not pass portals, bodies do not shade it, and every surface reflects its
+ * albedo evenly. The result does not depend on the number of threads.
+ */
+public final class LightBake {
+    /** Receivers whose light is worked out, and kept by a {@link Checkpoint}, together. */
+    private static final int BLOCK = 256;
+
+    /** Independent estimates of a receiver, from whose spread the error follows. */
+    private static final int GROUPS = 8;
+
+    /** Rays of each group between two looks at the error. */
+    private static final int ROUND = 16;
+
+    /** The share of the level's mean below which a receiver's error is absolute. */
+    private static final double DIM = 0.25;
+
+    /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions (Roberts 2018). */
+    private static final double STEP_ROOT = 1.32471795724474602596;
+
+    private final Settings settings;
+    private final TracedLevel traced;
+    private final GatherRays.Sources sources;
+    private final Receivers receivers;
+    /** The names of the layers, the nameless one first. */
+    private final List<String> names;
+    /** The layer of each lamp. */
+    private final int[] layerOfLamp;
+
+    private final boolean hasSun;
+    /** For each receiver and layer {@link Gathered#VALUES} values; direct light, then indirect light. */
+    private final float[] direct;
+
+    private final float[] indirect;
+    private final float[] errors;
+    private double mean;
+
+    /**
+     * Settings of a bake.
+     *
+     * @param error standard error at which a receiver is done, as a share of its light
+     * @param mostRays the most rays of a receiver, of all groups together
+     */
+    public record Settings(double error, int mostRays) {
+        public static final Settings USUAL = new Settings(0.02, 2048);
+
+        /** Returns these settings for another error, with as many more or fewer rays as it takes. */
+        public Settings withError(double other) {
+            double rays = mostRays * (error / other) * (error / other);
+            return new Settings(other, (int) Math.max(GROUPS * ROUND, Math.min(rays, 1 << 20)));
+        }
+    }
+
+    /** A store of finished blocks; called from several threads. */
+    public interface Checkpoint {
+        /** A store that keeps nothing. */
+        Checkpoint NONE = new Checkpoint() {
+            @Override
+            public Optional<float[]> known(int block) {
+                return Optional.empty();
+            }
+
+            @Override
+            public void store(int block, float[] values) {}
+        };
+
+        /** Returns a block's values if they were stored before. */
+        Optional<float[]> known(int block);
+
+        void store(int block, float[] values);
+    }
+
+    /**
+     * The standard errors that a bake has reached, as shares of the level's mean.
+     *
+     * @param percentile99 the error that 99 % of all receivers do not exceed
+     */
+    public record Error(double median, double percentile99) {}
+
+    private LightBake(PlacedLevel placed, Settings settings) {
+        this.settings = settings;
+        Level level = placed.level();
+        StaticShapes statics = placed.statics().split(SkyVisibility.MODEL_EDGE_METRES);
+        Level still = RecordCopy.with(level, "bodies", List.of());
+        traced = TracedLevel.of(new PlacedLevel(still, placed.assets(), statics), ColourDecoding.SRGB);
+        sources = Daylight.moves(level.environment()) ? GatherRays.Sources.LAMPS : GatherRays.Sources.ALL;
+        hasSun = level.environment().sun() != null && sources == GatherRays.Sources.ALL;
+        receivers = new Receivers(LightMapLayout.of(statics.solids()), statics);
+        List<Light> lamps = traced.lamps();
+        names = new ArrayList<>(List.of(""));
+        layerOfLamp = new int[lamps.size()];
+        int values = Gathered.VALUES * names.size() * receivers.count();
+        direct = new float[values];
+        indirect = new float[values];
+        errors = new float[receivers.count()];
+    }
+
+    /**
+     * Prepares the bake of a level.
+     *
+     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
+     */
+    public static LightBake of(PlacedLevel placed, Settings settings) {
+        return new LightBake(placed, settings);
+    }
+
+    /** Returns the number of blocks that a {@link Checkpoint} may hold. */
+    public int blocks() {
+        return (receivers.count() + BLOCK - 1) / BLOCK;
+    }
+
+    /** Returns the number of texels, vertices and points at which light is baked. */
+    public int receivers() {
+        return receivers.count();
+    }
+
+    /**
+     * Balances the light along few rays; {@link #light} is a coarse picture then.
+     *
+     * @param progress receives the completed fraction, 0–1, from several threads; an exception that it throws ends the bake
+     */
+    public void balance(DoubleConsumer progress) {
+        boolean[] isFree = new boolean[receivers.count()];
+        inParallel(done -> progress.accept(done / 4), (ray, block) -> gatherDirect(ray, block, isFree));
+        receivers.standIn(isFree);
+        new BounceLinks(this).balance(done -> progress.accept(0.25 + 0.75 * done));
+        double sum = 0;
+        for (int receiver = 0; receiver < receivers.count(); receiver++) {
+            sum += luminance(indirect, receiver) + luminance(direct, receiver);
+        }
+        mean = sum / Math.max(1, receivers.count());
+    }
+
+    /**
+     * Gathers the balanced light once more.
+     *
+     * @param checkpoint holds blocks of an earlier, interrupted bake of the same level
+     * @param progress as of {@link #balance}
+     */
+    public void gather(Checkpoint checkpoint, DoubleConsumer progress) {
+        float[] balanced = new float[indirect.length];
+        for (int i = 0; i < balanced.length; i++) {
+            balanced[i] = indirect[i] + direct[i];
+        }
+        int length = Gathered.VALUES * names.size();
+        inParallel(progress, (ray, block) -> {
+            int first = block * BLOCK;
+            int count = Math.min(BLOCK, receivers.count() - first);
+            float[] values = checkpoint.known(block).orElse(null);
+            if (values == null || values.length != count * (length + 1)) {
+                values = new float[count * (length + 1)];
+                for (int i = 0; i < count; i++) {
+                    gatherIndirect(ray, first + i, balanced, values, i * (length + 1));
+                }
+                checkpoint.store(block, values);
+            }
+            for (int i = 0; i < count; i++) {
+                System.arraycopy(values, i * (length + 1), indirect, (first + i) * length, length);
+                errors[first + i] = values[i * (length + 1) + length];
+            }
+        });
+    }
+
+    /** Runs both parts of the bake. */
+    public void run(Checkpoint checkpoint, DoubleConsumer progress) {
+        balance(done -> progress.accept(done / 10));
+        gather(checkpoint, done -> progress.accept(0.1 + 0.9 * done));
+    }
+
+    /** The work on one block by one thread's rays. */
+    interface BlockWork {
+        void run(GatherRays ray, int block);
+    }
+
+    void inParallel(DoubleConsumer progress, BlockWork work) {
+        AtomicInteger done = new AtomicInteger();
+        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources));
+        IntStream.range(0, blocks()).parallel().forEach(block -> {
+            work.run(rays.get(), block);
+            progress.accept((double) done.incrementAndGet() / blocks());
+        });
+    }
+
+    Receivers allReceivers() {
+        return receivers;
+    }
+
+    int layers() {
+        return names.size();
+    }
+
+    float[] direct() {
+        return direct;
+    }
+
+    float[] indirect() {
+        return indirect;
+    }
+
+    int lastOf(int block) {
+        return Math.min((block + 1) * BLOCK, receivers.count());
+    }
+
+    static int firstOf(int block) {
+        return block * BLOCK;
+    }
+
+    private double luminance(float[] values, int receiver) {
+        double sum = 0;
+        for (int layer = 0; layer < names.size(); layer++) {
+            int at = Gathered.VALUES * (receiver * names.size() + layer);
+            sum += Gathered.luminance(values[at], values[at + 1], values[at + 2]);
+        }
+        return sum;
+    }
+
+    private void gatherDirect(GatherRays ray, int block, boolean[] isFree) {
+        for (int receiver = firstOf(block); receiver < lastOf(block); receiver++) {
+            Receivers.Spot spot = receivers.spot(receiver);
+            Gathered sum = new Gathered(names.size());
+            SplittableRandom random = new SplittableRandom(Hash64.combine(receiver, GROUPS));
+            for (Vec3 place : spot.places()) {
+                for (int light = hasSun ? -1 : 0; light < layerOfLamp.length; light++) {
+                    Vector3d radiance = ray.direct(light, place, spot.normal(), random);
+                    int layer = light < 0 ? 0 : layerOfLamp[light];
+                    sum.add(layer, ray.towards(), ray.towards().dot(spot.normal()), radiance, 1);
+                }
+            }
+            isFree[receiver] = !spot.places().isEmpty();
+            sum.write(1.0 / Math.max(1, spot.places().size()), direct, receiver * Gathered.VALUES * names.size());
+        }
+    }
+
+    /** What the end of a ray reflects. */
+    interface Reflection {
+        /** Adds the light that arrives along the last ray by reflection. */
+        void add(GatherRays.End end, GatherRays ray, Vector3dc direction, double cosine, Gathered to);
+    }
+
+    /** Traces one ray of a receiver and adds its light and that of an emissive face. */
+    void addRay(
+            GatherRays ray,
+            Receivers.Spot spot,
+            int group,
+            int index,
+            SplittableRandom random,
+            long shift,
+            Gathered to,
+            Reflection reflection) {
+        Vector3d normal = spot.normal();
+        Vec3 place = spot.places().get((5 * index + 3 * group) % spot.places().size());
+        double u = fraction(unit(shift) + index / STEP_ROOT);
+        double v = fraction(unit(shift << 32) + index / (STEP_ROOT * STEP_ROOT));
+        double cosine = Math.sqrt(1 - u);
+        Vector3d direction = direction(normal, u, v, cosine);
+        Vector3d origin = lifted(place, normal);
+        GatherRays.End end = ray.trace(origin, direction, random);
+        to.add(0, direction, cosine, ray.arriving(), 1);
+        Vector3dc emitted = ray.emitted();
+        if (emitted.x() + emitted.y() + emitted.z() > 0) {
+            to.add(0, direction, cosine, emitted, ray.emittedWeight(cosine, origin));
+        }
+        if (end != GatherRays.End.OPEN) {
+            reflection.add(end, ray, direction, cosine, to);
+        }
+        if (ray.hasEmissive()) {
+            Vector3d radiance = ray.emission(place, normal, random);
+            to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
+        }
+    }
+
+    private static Vector3d lifted(Vec3 place, Vector3dc normal) {
+        double largest = Math.max(Math.abs(place.x()), Math.max(Math.abs(place.y()), Math.abs(place.z())));
+        return place.toVector().fma(Math.max(1e-7, 8 * Math.ulp(largest)), normal);
+    }
+
+    /** Returns a direction of the hemisphere about a normal with a density of cosine / π (Malley's method). */
+    private static Vector3d direction(Vector3dc normal, double u, double v, double cosine) {
+        Vector3d across = Directions.perpendicular(Vec3.of(normal)).toVector();
+        Vector3d up = normal.cross(across, new Vector3d());
+        double radius = Math.sqrt(u);
+        double angle = 2 * Math.PI * v;
+        return new Vector3d(normal)
+                .mul(cosine)
+                .fma(radius * StrictMath.cos(angle), across)
+                .fma(radius * StrictMath.sin(angle), up);
+    }
+
+    private static double fraction(double x) {
+        return x - Math.floor(x);
+    }
+
+    private static double unit(long bits) {
+        return (bits >>> 11) * 0x1p-53;
+    }
+
+    private void gatherIndirect(GatherRays ray, int receiver, float[] balanced, float[] to, int at) {
+        Receivers.Spot spot = receivers.spot(receiver);
+        if (spot.places().isEmpty()) {
+            to[at + Gathered.VALUES * names.size()] = -1;
+            return;
+        }
+        Gathered[] groups = new Gathered[GROUPS];
+        long[] shifts = new long[GROUPS];
+        SplittableRandom random = new SplittableRandom(Hash64.combine(receiver, GROUPS + 1));
+        for (int i = 0; i < GROUPS; i++) {
+            groups[i] = new Gathered(names.size());
+            shifts[i] = random.nextLong();
+        }
+        int[] corners = new int[Receivers.CORNERS];
+        double[] weights = new double[Receivers.CORNERS];
+        Reflection reflection = (end, met, direction, cosine, sum) -> {
+            if (end != GatherRays.End.OTHER) {
+                receivers.around(end, met, corners, weights);
+                addReflected(met, direction, cosine, sum, balanced, corners, weights);
+            }
+        };
+        int rays = 0;
+        double error = Double.POSITIVE_INFINITY;
+        while (rays * GROUPS < settings.mostRays() && error > 1) {
+            for (int group = 0; group < GROUPS; group++) {
+                for (int i = rays; i < rays + ROUND; i++) {
+                    addRay(ray, spot, group, i, random, shifts[group], groups[group], reflection);
+                }
+            }
+            rays += ROUND;
+            error = error(groups, rays);
+        }
+        Gathered all = new Gathered(names.size());
+        for (Gathered group : groups) {
+            all.add(group);
+        }
+        all.write(1.0 / (rays * GROUPS), to, at);
+        to[at + Gathered.VALUES * names.size()] = (float) (standardError(groups, rays) / mean);
+    }
+
+    /** Returns the standard error as a share of the one that is asked for. */
+    private double error(Gathered[] groups, int rays) {
+        double sum = 0;
+        for (Gathered group : groups) {
+            sum += group.luminance() / (rays * GROUPS);
+        }
+        double asked = settings.error() * Math.max(sum, DIM * mean);
+        return asked == 0 ? 0 : standardError(groups, rays) / asked;
+    }
+
+    private static double standardError(Gathered[] groups, int rays) {
+        double sum = 0;
+        double squares = 0;
+        for (Gathered group : groups) {
+            double value = group.luminance() / rays;
+            sum += value;
+            squares += value * value;
+        }
+        double variance = Math.max(0, squares / GROUPS - sum * sum / (GROUPS * GROUPS));
+        return Math.sqrt(variance / (GROUPS - 1));
+    }
+
+    /** Adds what the end of a ray reflects of the light of some receivers. */
+    void addReflected(
+            GatherRays ray,
+            Vector3dc direction,
+            double cosine,
+            Gathered to,
+            float[] light,
+            int[] corners,
+            double[] weights) {
+        Vector3dc reflectance = ray.reflectance();
+        for (int layer = 0; layer < names.size(); layer++) {
+            double red = 0;
+            double green = 0;
+            double blue = 0;
+            for (int i = 0; i < Receivers.CORNERS; i++) {
+                int at = Gathered.VALUES * (corners[i] * names.size() + layer);
+                red += weights[i] * light[at];
+                green += weights[i] * light[at + 1];
+                blue += weights[i] * light[at + 2];
+            }
+            to.add(layer, direction, cosine, reflectance.x() * red, reflectance.y() * green, reflectance.z() * blue);
+        }
+    }
+
+    /** Returns the errors of the last {@link #gather}. */
+    public Error error() {
+        double[] sorted = IntStream.range(0, errors.length)
+                .filter(i -> errors[i] >= 0)
+                .mapToDouble(i -> errors[i])
+                .sorted()
+                .toArray();
+        return sorted.length == 0
+                ? new Error(0, 0)
+                : new Error(sorted[sorted.length / 2], sorted[(int) (0.99 * (sorted.length - 1))]);
+    }
+
+    /** Returns the light as far as it was worked out. */
+    public IndirectLight light() {
+        List<IndirectLight.Layer> layers = new ArrayList<>();
+        for (int layer = 0; layer < names.size(); layer++) {
+            layers.add(layer(layer, IndirectLight.Course.INDIRECT, indirect));
+            if (isLit(layer)) {
+                layers.add(layer(layer, IndirectLight.Course.DIRECT, direct));
+            }
+        }
+        IndirectLight.SkyLight sky =
+                sources == GatherRays.Sources.ALL ? IndirectLight.SkyLight.BAKED : IndirectLight.SkyLight.LIVE;
+        return new IndirectLight(sky, layers);
+    }
+
+    private boolean isLit(int layer) {
+        return layer == 0 && hasSun || Arrays.stream(layerOfLamp).anyMatch(of -> of == layer);
+    }
+
+    private IndirectLight.Layer layer(int layer, IndirectLight.Course course, float[] values) {
+        LightMapLayout layout = receivers.layout();
+        LightSamples texels = LightSamples.black(layout.width() * layout.height());
+        for (int chart = 0; chart < layout.charts().size(); chart++) {
+            int columns = layout.charts().get(chart).columns();
+            int rows = layout.charts().get(chart).rows();
+            for (int row = 0; row < rows; row++) {
+                int to = (layout.rowOf()[chart] + row) * layout.width() + layout.columnOf()[chart];
+                copy(values, layer, receivers.firstOfChart(chart) + row * columns, columns, texels, to);
+            }
+        }
+        LightSamples vertices = LightSamples.black(receivers.vertices());
+        copy(values, layer, receivers.texels(), receivers.vertices(), vertices, 0);
+        List<LightSamples> grounds = new ArrayList<>();
+        for (int terrain = 0; terrain < receivers.statics().ground().size(); terrain++) {
+            int first = receivers.firstOfGround(terrain);
+            int end = terrain + 1 < receivers.statics().ground().size()
+                    ? receivers.firstOfGround(terrain + 1)
+                    : receivers.count();
+            LightSamples ground = LightSamples.black(end - first);
+            copy(values, layer, first, end - first, ground, 0);
+            grounds.add(ground);
+        }
+        return new IndirectLight.Layer(names.get(layer), course, texels, vertices, grounds);
+    }
+
+    private void copy(float[] values, int layer, int first, int count, LightSamples to, int at) {
+        for (int i = 0; i < count; i++) {
+            int from = Gathered.VALUES * (receivers.standsFor(first + i) * names.size() + layer);
+            System.arraycopy(values, from, to.radiance(), LightSamples.CHANNELS * (at + i), LightSamples.CHANNELS);
+            System.arraycopy(
+                    values,
+                    from + LightSamples.CHANNELS,
+                    to.moments(),
+                    LightSamples.MOMENTS * (at + i),
+                    LightSamples.MOMENTS);
+        }
+    }
+}
