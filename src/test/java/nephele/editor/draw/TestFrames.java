@@ -71,6 +71,6 @@ final class TestFrames {
         PaneView view = PaneView.of(PaneKind.PERSPECTIVE, mode).with(camera);
         Pane pane = new Pane(new PaneRectangle(0, 0, 0, WIDTH, HEIGHT), view, "", List.of());
         Look look = new Look(Background.DARK, 0.125, false, 1);
-        return new ViewportFrame(level, assets, List.of(pane), 0, marks, look, true);
+        return new ViewportFrame(level, assets, List.of(pane), 0, marks, look, true, false);
     }
 }

@@ -27,7 +27,8 @@ final class TestViewport implements AutoCloseable {
     final Deque<Runnable> later = new ArrayDeque<>();
     final GlContext gl = GlContext.offscreen();
     final RenderTarget target = RenderTarget.picture(gl, "viewport", PixelFormat.RGBA8, WIDTH, HEIGHT);
-    final ViewportDrawing drawing = new ViewportDrawing(gl, later::add, () -> repaints++);
+    final BackgroundWork work = new BackgroundWork(later::add, later::add, () -> repaints++);
+    final ViewportDrawing drawing = new ViewportDrawing(gl, work);
     final AssetSource assets;
 
     TestViewport(Path folder) {

@@ -102,7 +102,7 @@ class ViewportLevelGlTest {
         List<Level> edits = edits();
         for (Level level : edits) {
             int[] edited = picture(level, camera, mode);
-            try (ViewportDrawing fresh = new ViewportDrawing(viewport.gl, viewport.later::add, () -> {})) {
+            try (ViewportDrawing fresh = new ViewportDrawing(viewport.gl, viewport.work)) {
                 fresh.draw(TestFrames.frame(level, viewport.assets, camera, mode, List.of()), viewport.target);
                 assertTrue(Arrays.equals(edited, viewport.pixels()), mode + " of edit " + edits.indexOf(level));
             }
@@ -145,8 +145,7 @@ class ViewportLevelGlTest {
     void aLevelUnderAnAtmosphereIsPlacedOnce() {
         Level level = level(WALL);
         level = level.with(level.environment().with(Sky.Atmosphere.CLEAR), List.of());
-        DrawnLevel drawn = new DrawnLevel(
-                viewport.gl, viewport.assets, Background.DARK, viewport.later::add, () -> viewport.repaints++);
+        DrawnLevel drawn = new DrawnLevel(viewport.gl, viewport.assets, Background.DARK, viewport.work);
         drawn.show(level);
         PlacedLevel placed = drawn.placed();
         drawn.show(level);

@@ -4,10 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
@@ -118,5 +123,37 @@ class LightBakeTest {
                 alone.submit(() -> radiance(bake(level, kept), Course.INDIRECT)).get();
         alone.shutdown();
         assertArrayEquals(many, one);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 40})
+    void blocksAreGatheredFromAPlaceOn(double x) throws Exception {
+        TestLevel level = new TestLevel().skyLight().sky(new Sky.Constant(TestLevel.grey(1)));
+        level.box("", Vec3.ZERO, new Vec3(3, 3, 3)).box("", new Vec3(40, 0, 0), new Vec3(3, 3, 3));
+        LightBake bake = LightBake.of(PlacedLevel.of(level.level(), TestAssets.NONE), new LightBake.Settings(1, 1));
+        int[] order = bake.blocksFrom(new Vec3(x, 5, 0));
+        List<Integer> gathered = new ArrayList<>();
+        LightBake.Checkpoint noted = new LightBake.Checkpoint() {
+            @Override
+            public Optional<float[]> known(int block) {
+                return Optional.empty();
+            }
+
+            @Override
+            public void store(int block, float[] values) {
+                gathered.add(block);
+            }
+        };
+        var alone = new ForkJoinPool(1);
+        alone.submit(() -> bake.gather(order, noted, done -> {})).get();
+        alone.shutdown();
+        assertEquals(Arrays.stream(order).boxed().toList(), gathered);
+        assertEquals(bake.blocks(), Set.copyOf(gathered).size());
+        for (int i = 0; i < bake.blocks() / 2; i++) {
+            boolean isNear = IntStream.range(LightBake.firstOf(order[i]), bake.lastOf(order[i]))
+                    .anyMatch(receiver ->
+                            Math.abs(bake.allReceivers().place(receiver).x() - x) < 2);
+            assertTrue(isNear, "block " + i + " of " + bake.blocks());
+        }
     }
 }

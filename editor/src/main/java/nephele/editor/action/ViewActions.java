@@ -95,6 +95,13 @@ final class ViewActions {
                             List.of("Shift+G"),
                             call -> call.session().settings(guideLines(call.session())))
                     .chosenWhen(session -> session.settings().get(EditorSetting.GUIDE_LINES)),
+            EditorAction.of(
+                            "bake-light",
+                            Words.of("Bake Light", "Pré-calcular a luz", "Pré-calcular a luz"),
+                            Menu.VIEW,
+                            List.of("Shift+B"),
+                            call -> call.session().bakesLight(!call.session().bakesLight()))
+                    .chosenWhen(EditorSession::bakesLight),
             setting(
                     "theme-light",
                     Words.of("Light Theme", "Tema claro", "Tema claro"),

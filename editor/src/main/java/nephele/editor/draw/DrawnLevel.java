@@ -5,22 +5,15 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executor;
 import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShape;
-import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.scene.light.LevelLight;
-import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.StoredLight;
 import nephele.engine.scene.light.bake.BakedLight;
 
 /** One document on the GPU, in the view modes that were used so far. What cannot be drawn is left out and reported. */
@@ -33,9 +26,8 @@ final class DrawnLevel implements AutoCloseable {
     private final Map<ViewMode, LevelPicture> pictures = new EnumMap<>(ViewMode.class);
     private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
     private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
-    private final Executor executor;
-    private final Runnable repaintSoon;
     private final AirPreparation air;
+    private final EditedLight light;
     private PlacedLevel placed;
     /** The level that was placed; the placed one may have the sun of its hour. */
     private Level placedFrom;
@@ -48,30 +40,13 @@ final class DrawnLevel implements AutoCloseable {
 
     private double elapsed;
 
-    /** The shapes whose sky's light was baked last, or is. */
-    private StaticShapes lit;
-    /** {@code null} while no bake runs. */
-    private CompletableFuture<BakedLight> bake;
-    /** The last light that was ready; {@code null} for none. */
-    private BakedLight light;
-
-    /** Why baked light is not drawn; {@code null} if there is none, or it is. */
-    private volatile String ignored;
-
-    private volatile boolean isClosed;
-
-    /**
-     * Creates an empty drawing.
-     *
-     * @param repaintSoon called on a thread of {@code executor} when more than before is ready
-     */
-    DrawnLevel(GlContext gl, AssetSource assets, Background background, Executor executor, Runnable repaintSoon) {
+    /** Creates an empty drawing. */
+    DrawnLevel(GlContext gl, AssetSource assets, Background background, BackgroundWork work) {
         this.gl = gl;
         this.assets = assets;
         this.background = background;
-        this.executor = executor;
-        this.repaintSoon = repaintSoon;
-        air = new AirPreparation(executor, repaintSoon);
+        air = new AirPreparation(work.soon(), work.repaintSoon());
+        light = new EditedLight(work);
     }
 
     /** Returns true if a level with these files and background is an edited version of this one. */
@@ -140,7 +115,7 @@ final class DrawnLevel implements AutoCloseable {
     /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
     Optional<LevelPicture> picture(ViewMode mode) {
         LevelPicture picture = pictures.computeIfAbsent(mode, this::begun);
-        BakedLight baked = mode == ViewMode.LIT ? light() : null;
+        BakedLight baked = mode == ViewMode.LIT ? light.light() : null;
         failures.remove(mode);
         while (true) {
             try {
@@ -176,48 +151,14 @@ final class DrawnLevel implements AutoCloseable {
                 .toList();
     }
 
-    /** Returns the sky's light that the next picture would use, perhaps of an earlier version; {@code null} for none. */
-    BakedLight light() {
-        if (bake != null && bake.isDone()) {
-            light = result(bake);
-            bake = null;
-        }
+    /** Returns the light of the level, of which the last {@link #bake} was told. */
+    EditedLight light() {
         return light;
     }
 
-    /** Returns the earlier light if a bake fails: a picture with old light is better than none. */
-    private BakedLight result(CompletableFuture<BakedLight> done) {
-        try {
-            return done.join();
-        } catch (CompletionException | CancellationException failed) {
-            return light;
-        }
-    }
-
-    /**
-     * Reads the light of this version in the background, if its shapes differ and nothing of the kind runs, and bakes that
-     * of the sky if it has any.
-     */
-    void bake() {
-        boolean isNew = placed.statics() != lit && (lit == null || LightRequirements.skyVisibility(placed.level()));
-        if (isNew && bake == null) {
-            lit = placed.statics();
-            PlacedLevel baked = placed;
-            bake = CompletableFuture.supplyAsync(() -> LevelLight.of(baked, this::progress, this::report), executor);
-            bake.whenComplete((visibility, failure) -> repaintSoon.run());
-        }
-    }
-
-    private void report(StoredLight stored) {
-        String name =
-                assets.levelFile().map(file -> file.getFileName().toString()).orElse("LEVEL");
-        ignored = stored.warning(name).orElse(null);
-    }
-
-    private void progress(double done) {
-        if (isClosed) {
-            throw new CancellationException();
-        }
+    /** Follows a version that stands for a while with what takes long. */
+    void bake(boolean bakes, Vec3 eye) {
+        light.follow(placed, bakes, eye);
     }
 
     /** Returns what is not drawn, a line each. */
@@ -227,17 +168,14 @@ final class DrawnLevel implements AutoCloseable {
         if (levelFailure != null) {
             messages.add(levelFailure);
         }
-        String warning = ignored;
-        if (warning != null) {
-            messages.add(warning);
-        }
+        messages.addAll(light.messages());
         return messages;
     }
 
     @Override
     public void close() {
-        isClosed = true;
         air.close();
+        light.close();
         edges.values().forEach(LevelEdges::close);
         pictures.values().forEach(LevelPicture::close);
         pictures.clear();

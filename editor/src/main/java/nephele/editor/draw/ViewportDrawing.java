@@ -3,7 +3,6 @@ package nephele.editor.draw;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Executor;
 import nephele.editor.draw.ViewportFrame.Look;
 import nephele.editor.draw.ViewportFrame.Pane;
 import nephele.editor.pane.Mark;
@@ -29,8 +28,7 @@ public final class ViewportDrawing implements AutoCloseable {
     private static final double ACTIVE_POINTS = 2;
 
     private final GlContext gl;
-    private final Executor background;
-    private final Runnable repaintSoon;
+    private final BackgroundWork work;
     private final PaneDrawing panes;
     private final OverlayPass frameOverlay;
     private final OverlayCanvas frameCanvas;
@@ -57,16 +55,10 @@ public final class ViewportDrawing implements AutoCloseable {
         }
     }
 
-    /**
-     * Creates an empty drawing.
-     *
-     * @param background runs what takes long, such as the light of the sky
-     * @param repaintSoon called on a thread of {@code background} if the next frame would differ
-     */
-    public ViewportDrawing(GlContext gl, Executor background, Runnable repaintSoon) {
+    /** Creates an empty drawing. */
+    public ViewportDrawing(GlContext gl, BackgroundWork work) {
         this.gl = gl;
-        this.background = background;
-        this.repaintSoon = repaintSoon;
+        this.work = work;
         panes = new PaneDrawing(gl);
         FontAtlas letters = new FontAtlas();
         frameOverlay = new OverlayPass(gl, letters);
@@ -92,8 +84,12 @@ public final class ViewportDrawing implements AutoCloseable {
         for (Pane pane : frame.panes()) {
             draw(pane, frame);
         }
-        if (frame.isSettled() && frame.panes().stream().anyMatch(ViewportDrawing::isLit)) {
-            drawn.bake();
+        if (frame.isSettled()) {
+            frame.panes().stream()
+                    .filter(ViewportDrawing::isLit)
+                    .findFirst()
+                    .ifPresent(pane -> drawn.bake(
+                            frame.bakesLight(), pane.view().perspective().eye()));
         }
         PaneDrawing.clear(target, frame.look().background().gapRgb());
         for (Pane pane : frame.panes()) {
@@ -117,7 +113,7 @@ public final class ViewportDrawing implements AutoCloseable {
         Background behind = frame.look().background();
         if (drawn == null || !drawn.follows(frame.assets(), behind)) {
             closeLevel();
-            drawn = new DrawnLevel(gl, frame.assets(), behind, background, repaintSoon);
+            drawn = new DrawnLevel(gl, frame.assets(), behind, work);
         }
         drawn.elapse(seconds);
         drawn.show(frame.level());
@@ -150,7 +146,7 @@ public final class ViewportDrawing implements AutoCloseable {
 
     private void draw(Pane pane, ViewportFrame frame) {
         int index = pane.place().index();
-        BakedLight light = isLit(pane) ? drawn.light() : null;
+        BakedLight light = isLit(pane) ? drawn.light().light() : null;
         DrawnPane before = drawnPanes.get(index);
         RenderTarget picture = before != null
                 ? before.picture
@@ -188,6 +184,16 @@ public final class ViewportDrawing implements AutoCloseable {
     /** Returns what of the last frame's level could not be drawn, a line each: files that cannot be read, broken solids. */
     public List<String> messages() {
         return drawn == null ? List.of() : drawn.messages();
+    }
+
+    /** Returns true if the last frame's level had bounced light when it was opened. */
+    public boolean isLightKnown() {
+        return drawn != null && drawn.light().isKnown();
+    }
+
+    /** Returns how far the bake of the last frame's light is. */
+    public LightProgress lightProgress() {
+        return drawn == null ? LightProgress.NONE : drawn.light().progress();
     }
 
     @Override

@@ -15,16 +15,24 @@ import nephele.engine.level.Level;
  * @param active index into {@code panes}; that pane has a frame
  * @param marks drawn in every pane
  * @param isSettled false during a drag; light that takes long is computed only for settled levels
+ * @param bakesLight whether light that bounces is baked in the background
  */
 public record ViewportFrame(
-        Level level, AssetSource assets, List<Pane> panes, int active, List<Mark> marks, Look look, boolean isSettled) {
+        Level level,
+        AssetSource assets,
+        List<Pane> panes,
+        int active,
+        List<Mark> marks,
+        Look look,
+        boolean isSettled,
+        boolean bakesLight) {
     public ViewportFrame {
         panes = List.copyOf(panes);
     }
 
     /** Returns the frame with other marks in every pane. */
     public ViewportFrame with(List<Mark> others) {
-        return new ViewportFrame(level, assets, panes, active, others, look, isSettled);
+        return new ViewportFrame(level, assets, panes, active, others, look, isSettled, bakesLight);
     }
 
     /** Returns the frame with the edges of what its panes show, which are drawn soon. */
@@ -33,7 +41,7 @@ public record ViewportFrame(
                 .map(pane -> new Pane(
                         pane.place(), pane.view().with(ViewMode.WIREFRAME), pane.caption(), pane.marks(), pane.inset()))
                 .toList();
-        return new ViewportFrame(level, assets, edges, active, marks, look, isSettled);
+        return new ViewportFrame(level, assets, edges, active, marks, look, isSettled, bakesLight);
     }
 
     /**

@@ -55,6 +55,11 @@ public final class EditorSession implements ProvingSubject {
     private ToolEntry toolEntry;
     private Tool tool;
     private Words status = Words.NONE;
+    /** Whether light is baked in the background, as the user chose; {@code null} if it depends on the level. */
+    private Boolean bakesLight;
+
+    private boolean hasBakedLight;
+    private Words bake = Words.NONE;
     private String clipboard = "";
     private Consumer<WarmGame.Request> game = request -> {};
 
@@ -164,6 +169,8 @@ public final class EditorSession implements ProvingSubject {
         former = Optional.empty();
         files = otherAssets;
         assets = maps.over(files);
+        bakesLight = null;
+        hasBakedLight = false;
         document.reset(level);
         tell(SessionChange.FILE);
     }
@@ -283,6 +290,36 @@ public final class EditorSession implements ProvingSubject {
     public void status(Words words) {
         status = words;
         tell(SessionChange.STATUS);
+    }
+
+    /** Returns true if light that bounces is baked in the background: as chosen, or if the level came with such light. */
+    public boolean bakesLight() {
+        return bakesLight == null ? hasBakedLight : bakesLight;
+    }
+
+    public void bakesLight(boolean next) {
+        bakesLight = next;
+        tell(SessionChange.VIEW);
+    }
+
+    /** Notes that the open level came with light that was baked. */
+    public void foundBakedLight() {
+        if (!hasBakedLight) {
+            hasBakedLight = true;
+            tell(SessionChange.VIEW);
+        }
+    }
+
+    /** Returns how far the bake of light is; empty if none runs. */
+    public Words bake() {
+        return bake;
+    }
+
+    public void bake(Words progress) {
+        if (!progress.equals(bake)) {
+            bake = progress;
+            tell(SessionChange.STATUS);
+        }
     }
 
     /** Returns the text that was copied last. */

@@ -13,27 +13,30 @@ import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 import net.miginfocom.swing.MigLayout;
 
-/** The line below the editor: the last message, or what the tool would do; the grid; the place under the pointer. */
+/** The line below the editor: the last message, or what the tool would do; the bake of light; the grid; the place under the pointer. */
 final class StatusBar extends JPanel {
     private static final long serialVersionUID = 1;
 
     private final transient EditorSession session;
     private final JLabel message = new JLabel(" ");
     private final JLabel hint = new JLabel(" ");
+    private final JLabel bake = new JLabel("");
     private final JLabel grid = new JLabel(" ");
     private final JLabel place = new JLabel(" ", SwingConstants.TRAILING);
 
     StatusBar(EditorSession session) {
         super(new MigLayout(
-                "insets 3 8 3 8, fillx, gapx 8, hidemode 3", "[0:pref:][0:pref:,grow,left][][][][130lp::]", "[]"));
+                "insets 3 8 3 8, fillx, gapx 8, hidemode 3", "[0:pref:][0:pref:,grow,left][][][][][130lp::]", "[]"));
         this.session = session;
         message.setName("message");
         hint.setName("hint");
+        bake.setName("bake");
         grid.setName("grid");
         place.setName("place");
         message.putClientProperty(FlatClientProperties.STYLE, "font: bold");
         add(message, "wmin 0");
         add(hint, "wmin 0, growx");
+        add(bake, "wmin pref");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
         add(grid, "wmin pref");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
@@ -46,6 +49,7 @@ final class StatusBar extends JPanel {
     @Override
     public void doLayout() {
         int numbers = grid.getPreferredSize().width
+                + bake.getPreferredSize().width
                 + Math.max(UIScale.scale(130), place.getPreferredSize().width)
                 + UIScale.scale(60);
         int texts = message.getPreferredSize().width + hint.getPreferredSize().width;
@@ -62,6 +66,8 @@ final class StatusBar extends JPanel {
         getAccessibleContext().setAccessibleName(WindowText.STATUS.in(language));
         show(message, session.status().in(language));
         showHint();
+        bake.setText(session.bake().in(language));
+        bake.setVisible(!bake.getText().isEmpty());
         String step = number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "");
         grid.setText(WindowText.GRID.with(step).in(language));
     }

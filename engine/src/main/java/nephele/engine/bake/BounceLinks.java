@@ -54,6 +54,7 @@ final class BounceLinks {
         double change = 1;
         for (int step = 0; step < MOST_STEPS && change > BALANCED; step++) {
             change = step();
+            progress.accept(1);
         }
         float[] indirect = bake.indirect();
         for (int receiver = 0; receiver < receivers.count(); receiver++) {

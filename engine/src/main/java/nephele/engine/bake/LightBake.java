@@ -2,6 +2,7 @@ package nephele.engine.bake;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -36,6 +37,9 @@ import org.joml.Vector3dc;
 public final class LightBake {
     /** Receivers whose light is worked out, and kept by a {@link Checkpoint}, together. */
     private static final int BLOCK = 256;
+
+    /** Every so manieth receiver of a block is looked at for its distance to a place. */
+    private static final int DISTANCE_STEP = 16;
 
     /** Independent estimates of a receiver, from whose spread the error follows. */
     private static final int GROUPS = 8;
@@ -169,21 +173,54 @@ public final class LightBake {
      * @param progress as of {@link #balance}
      */
     public void gather(Checkpoint checkpoint, DoubleConsumer progress) {
+        gather(IntStream.range(0, blocks()).toArray(), checkpoint, progress);
+    }
+
+    /** Returns the numbers of all blocks, those nearest to a place first. */
+    public int[] blocksFrom(Vec3 place) {
+        double[] metres = new double[blocks()];
+        for (int block = 0; block < metres.length; block++) {
+            metres[block] = Double.POSITIVE_INFINITY;
+            for (int receiver = firstOf(block); receiver < lastOf(block); receiver += DISTANCE_STEP) {
+                metres[block] = Math.min(
+                        metres[block], receivers.place(receiver).minus(place).length());
+            }
+        }
+        return IntStream.range(0, metres.length)
+                .boxed()
+                .sorted(Comparator.comparingDouble(block -> metres[block]))
+                .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    /**
+     * Gathers the balanced light once more, block by block. The light is the same in any order; meanwhile {@link #light} is
+     * that of finished blocks and the balanced one of others.
+     *
+     * @param order the numbers of all blocks
+     * @param checkpoint as of {@link #gather(Checkpoint, DoubleConsumer)}
+     * @param progress as of {@link #balance}; called after each receiver
+     */
+    public void gather(int[] order, Checkpoint checkpoint, DoubleConsumer progress) {
         float[] balanced = new float[indirect.length];
         for (int i = 0; i < balanced.length; i++) {
             balanced[i] = indirect[i] + direct[i];
         }
         int length = Gathered.VALUES * names.size();
-        inParallel(progress, (ray, block) -> {
-            int first = block * BLOCK;
-            int count = Math.min(BLOCK, receivers.count() - first);
+        AtomicInteger done = new AtomicInteger();
+        inParallel(order, (ray, block) -> {
+            int first = firstOf(block);
+            int count = lastOf(block) - first;
             float[] values = checkpoint.known(block).orElse(null);
             if (values == null || values.length != count * (length + 1)) {
                 values = new float[count * (length + 1)];
                 for (int i = 0; i < count; i++) {
                     gatherIndirect(ray, first + i, balanced, values, i * (length + 1));
+                    progress.accept((double) done.incrementAndGet() / receivers.count());
                 }
                 checkpoint.store(block, values);
+            } else {
+                progress.accept((double) done.addAndGet(count) / receivers.count());
             }
             for (int i = 0; i < count; i++) {
                 System.arraycopy(values, i * (length + 1), indirect, (first + i) * length, length);
@@ -205,11 +242,19 @@ public final class LightBake {
 
     void inParallel(DoubleConsumer progress, BlockWork work) {
         AtomicInteger done = new AtomicInteger();
-        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources));
-        IntStream.range(0, blocks()).parallel().forEach(block -> {
-            work.run(rays.get(), block);
+        inParallel(IntStream.range(0, blocks()).toArray(), (ray, block) -> {
+            work.run(ray, block);
             progress.accept((double) done.incrementAndGet() / blocks());
         });
+    }
+
+    /** Begins the work on blocks in an order. */
+    private void inParallel(int[] order, BlockWork work) {
+        AtomicInteger begun = new AtomicInteger();
+        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources));
+        IntStream.range(0, order.length)
+                .parallel()
+                .forEach(any -> work.run(rays.get(), order[begun.getAndIncrement()]));
     }
 
     Receivers allReceivers() {

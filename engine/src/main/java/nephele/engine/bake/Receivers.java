@@ -193,13 +193,19 @@ final class Receivers {
     /** The free places of one receiver and the normal of its surface; none of them is inside a solid. */
     record Spot(List<Vec3> places, Vector3d normal) {}
 
-    /** Returns the places from which a receiver's rays leave; none if it is inside something. */
-    Spot spot(int receiver) {
+    /** Returns where a receiver is on its surface. */
+    Vec3 place(int receiver) {
         if (receiver < texels()) {
-            return spotOfTexel(receiver);
+            int index = before(firstOfChart, receiver);
+            LightMapChart chart = layout.charts().get(index);
+            int at = receiver - firstOfChart[index];
+            return Vec3.of(chart.inside(at % chart.columns(), at / chart.columns()));
         }
         if (receiver < texels() + vertices()) {
-            return spotOfVertex(receiver);
+            int index = before(firstOfModel, receiver);
+            double[] positions = statics.models().all().get(index).triangles().positions();
+            int at = 3 * (receiver - firstOfModel[index]);
+            return new Vec3(positions[at], positions[at + 1], positions[at + 2]);
         }
         int terrain = before(firstOfGround, receiver);
         HeightField field = statics.ground().get(terrain).field();
@@ -208,9 +214,22 @@ final class Receivers {
         int point = receiver - firstOfGround[terrain];
         double x = field.x(0) + field.cellX() * field.cellColumns() * (point % columns) / (columns - 1);
         double z = field.z(0) + field.cellZ() * field.cellRows() * (point / columns) / (rows - 1);
-        Vec3 normal = HeightFieldSurface.normal(field, x, z);
-        Vec3 place = new Vec3(x, HeightFieldSurface.y(field, x, z), z).addScaled(LIFT_METRES, normal);
-        return new Spot(free(place, -1), normal.toVector());
+        return new Vec3(x, HeightFieldSurface.y(field, x, z), z);
+    }
+
+    /** Returns the places from which a receiver's rays leave; none if it is inside something. */
+    Spot spot(int receiver) {
+        if (receiver < texels()) {
+            return spotOfTexel(receiver);
+        }
+        if (receiver < texels() + vertices()) {
+            return spotOfVertex(receiver);
+        }
+        Vec3 ground = place(receiver);
+        HeightField field =
+                statics.ground().get(before(firstOfGround, receiver)).field();
+        Vec3 normal = HeightFieldSurface.normal(field, ground.x(), ground.z());
+        return new Spot(free(ground.addScaled(LIFT_METRES, normal), -1), normal.toVector());
     }
 
     private Spot spotOfTexel(int receiver) {

@@ -36,7 +36,10 @@ public final class TracedLevel {
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
+    /** For direct light. */
     private final Optional<AirShade> shade;
+
+    private final Optional<AirShade> shadeWithWalls;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final EmissiveSurfaces emissive;
@@ -67,9 +70,13 @@ public final class TracedLevel {
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, seconds, sky);
-        shade = AirShade.of(level.environment(), clouds);
+        shade = AirShade.ofClouds(level.environment(), clouds);
         sunCastsShadow =
                 level.environment().sun() != null && level.environment().sun().castsShadow();
+        shadeWithWalls = AirShade.of(
+                level.environment(),
+                clouds,
+                ray -> sunCastsShadow && rays.blocker(ray, Double.POSITIVE_INFINITY, -1) >= 0);
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
@@ -317,7 +324,7 @@ public final class TracedLevel {
 
     /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
     PathAir air(List<EyePath.Segment> parts, SplittableRandom random) {
-        return PathAir.of(air, shade, parts, random);
+        return PathAir.of(air, shadeWithWalls, parts, random);
     }
 
     /**

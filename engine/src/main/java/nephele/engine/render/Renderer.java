@@ -18,6 +18,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.OwnedObjects;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.MeteredExposure;
 import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.FrameState;
@@ -26,6 +27,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
+import nephele.engine.scene.probe.SkyProbes;
 
 /** One level on the GPU, with the passes that it requires and no others. */
 public final class Renderer implements AutoCloseable {
@@ -48,6 +50,8 @@ public final class Renderer implements AutoCloseable {
     private PortalViews portals;
     /** {@code null} if no pass draws clouds or is lit through them. */
     private RendererClouds clouds;
+
+    private SkyProbes probes;
     /** {@code null} if exposure is not metered. */
     private MeteredExposure exposure;
 
@@ -150,6 +154,7 @@ public final class Renderer implements AutoCloseable {
         afterAll = passes.of(Stage.AFTER_ALL);
         exposure = resources.get(MeteredExposure.RESOURCE);
         clouds = resources.ifMade(RendererClouds.RESOURCE);
+        probes = resources.ifMade(AmbientLight.PROBES);
         resources.forgetReplaced();
         chain = new PictureChain(gl, settings, afterAll.size());
         copies = new ViewCopies(gl, resources.targets(), passes.reads());
@@ -336,6 +341,9 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void cut() {
+        if (probes != null) {
+            probes.cut();
+        }
         if (clouds != null) {
             clouds.cut();
         }

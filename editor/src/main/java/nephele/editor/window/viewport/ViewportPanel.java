@@ -11,9 +11,11 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinWorkerThread;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import nephele.editor.document.Registration;
+import nephele.editor.draw.BackgroundWork;
 import nephele.editor.session.EditorSession;
 import nephele.editor.session.SessionChange;
 import nephele.editor.tool.Pointer;
@@ -23,6 +25,9 @@ import nephele.engine.render.gl.GlContext;
 /** The viewport of a session: its panes, drawn on a surface, and the mouse in them. It draws only after changes. */
 public final class ViewportPanel extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1;
+
+    /** A single thread, so that a core is left for the user; streams that it begins stay on it. */
+    private final transient ForkJoinPool baking;
 
     private final transient ViewportScene scene;
     private final transient ViewportSurface surface;
@@ -43,7 +48,8 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     ViewportPanel(
             EditorSession session, Consumer<Optional<Vec3>> pointed, Consumer<String> report, Executor background) {
         super(new BorderLayout());
-        scene = new ViewportScene(session, background, this::repaintSoon, report);
+        baking = new ForkJoinPool(1, ViewportPanel::bakeThread, null, false);
+        scene = new ViewportScene(session, new BackgroundWork(background, baking, this::repaintSoon), report);
         surface = new ViewportSurface(scene, GlContext::offscreen);
         control = new ViewportControl(session, surface::size, place -> {
             pointed.accept(place);
@@ -65,6 +71,13 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
         setMinimumSize(new Dimension(80, 60));
         setPreferredSize(new Dimension(640, 400));
         add(surface.component());
+    }
+
+    private static ForkJoinWorkerThread bakeThread(ForkJoinPool pool) {
+        ForkJoinWorkerThread made = ForkJoinPool.defaultForkJoinWorkerThreadFactory.newThread(pool);
+        made.setName("bake");
+        made.setPriority(Thread.MIN_PRIORITY);
+        return made;
     }
 
     private void repaintSoon() {
@@ -95,5 +108,6 @@ public final class ViewportPanel extends JPanel implements AutoCloseable {
     public void close() {
         registration.close();
         surface.close();
+        surface.closed().whenComplete((nothing, failed) -> baking.shutdownNow());
     }
 }

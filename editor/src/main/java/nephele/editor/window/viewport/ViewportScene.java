@@ -3,10 +3,11 @@ package nephele.editor.window.viewport;
 import com.formdev.flatlaf.util.UIScale;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import nephele.editor.draw.Background;
+import nephele.editor.draw.BackgroundWork;
+import nephele.editor.draw.LightProgress;
 import nephele.editor.draw.PaneInset;
 import nephele.editor.draw.PaneInset.LegendLine;
 import nephele.editor.draw.PaneInset.Pattern;
@@ -42,9 +43,15 @@ final class ViewportScene implements SurfacePainter {
     private static final Words DRAWING =
             Words.of("Drawing the level: %s s", "Desenhando a fase: %s s", "A desenhar o nível: %s s");
 
+    private static final Words COARSE =
+            Words.of("Light, coarse: %s %%", "Luz, aproximada: %s %%", "Luz, aproximada: %s %%");
+    private static final Words FINE_SECONDS =
+            Words.of("Light: %s %%, %s s left", "Luz: %s %%, faltam %s s", "Luz: %s %%, faltam %s s");
+    private static final Words FINE_MINUTES =
+            Words.of("Light: %s %%, %s min left", "Luz: %s %%, faltam %s min", "Luz: %s %%, faltam %s min");
+
     private final EditorSession session;
-    private final Executor background;
-    private final Runnable repaintSoon;
+    private final BackgroundWork work;
     private final Consumer<String> report;
     private List<String> reported = List.of();
     private boolean isComplete;
@@ -57,16 +64,15 @@ final class ViewportScene implements SurfacePainter {
     private long lastNanos;
 
     /** @param report receives what cannot be drawn, a line each */
-    ViewportScene(EditorSession session, Executor background, Runnable repaintSoon, Consumer<String> report) {
+    ViewportScene(EditorSession session, BackgroundWork work, Consumer<String> report) {
         this.session = session;
-        this.background = background;
-        this.repaintSoon = repaintSoon;
+        this.work = work;
         this.report = report;
     }
 
     @Override
     public void opened(GlContext gl) {
-        drawing = new ViewportDrawing(gl, background, repaintSoon);
+        drawing = new ViewportDrawing(gl, work);
     }
 
     @Override
@@ -80,7 +86,7 @@ final class ViewportScene implements SurfacePainter {
         begun = session.assets();
         if (isFirst) {
             // Edges are there long before tables and shaders are.
-            repaintSoon.run();
+            work.repaintSoon().run();
             return target -> draw(frame.with(marks.of(marked)).withEdgesOnly(), target, true);
         }
         return target -> draw(frame.with(marks.of(marked)), target, isAtOnce);
@@ -89,10 +95,31 @@ final class ViewportScene implements SurfacePainter {
     private Runnable draw(ViewportFrame frame, RenderTarget target, boolean isAtOnce) {
         drawing.draw(frame, target, isAtOnce ? Double.POSITIVE_INFINITY : elapsedSeconds());
         if (drawing.isChanging()) {
-            repaintSoon.run();
+            work.repaintSoon().run();
         }
         List<String> messages = List.copyOf(drawing.messages());
-        return () -> reportNew(messages);
+        boolean isLightKnown = drawing.isLightKnown();
+        Words bake = words(drawing.lightProgress());
+        return () -> {
+            reportNew(messages);
+            session.bake(bake);
+            if (isLightKnown && session.assets() == frame.assets()) {
+                session.foundBakedLight();
+            }
+        };
+    }
+
+    private static Words words(LightProgress bake) {
+        double minutes = bake.secondsLeft() / 60;
+        int percent = (int) (100 * bake.fraction());
+        return switch (bake.stage()) {
+            case NONE -> Words.NONE;
+            case COARSE -> COARSE.with(percent);
+            case FINE ->
+                minutes < 1.5
+                        ? FINE_SECONDS.with(percent, (int) bake.secondsLeft())
+                        : FINE_MINUTES.with(percent, Math.round(minutes));
+        };
     }
 
     private void reportNew(List<String> messages) {
@@ -153,7 +180,8 @@ final class ViewportScene implements SurfacePainter {
                 active,
                 List.of(),
                 look,
-                !session.document().isDragging());
+                !session.document().isDragging(),
+                session.bakesLight());
     }
 
     private Pane pane(PaneRectangle place) {

@@ -277,7 +277,17 @@ public record Quality(
                         title = "Mipmaps of billboards",
                         about = "Smaller mipmap levels keep the share of the picture that is drawn, or the mean of"
                                 + " alpha, with which crowns and grass become thin far away.")
-                SpriteCoverage spriteCoverage) {
+                SpriteCoverage spriteCoverage,
+        @QualitySetting(
+                        high = "0.5",
+                        low = "1",
+                        least = 0.125,
+                        most = 8,
+                        title = "Spacing of light probes",
+                        about = "Where light was baked, moving things are lit by their surroundings as seen from the"
+                                + " points of a lattice with this spacing, in metres. Between far ones light near"
+                                + " lamps and corners is blurred; they are found less often while one walks.")
+                double probeMetres) {
     /** Enough for every light that can have a shadow. */
     public static final int ALL_LIGHTS = 999;
 

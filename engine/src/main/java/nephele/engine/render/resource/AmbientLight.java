@@ -21,21 +21,23 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
+import nephele.engine.render.gl.SharedObjects.Identity;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyIrradiance;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.light.bake.IndirectLight;
+import nephele.engine.scene.probe.LitSurfaces;
+import nephele.engine.scene.probe.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes.Sampling;
 import org.joml.Vector3d;
 
 /** The light of a level's sky on surfaces, and what of the sky they see where they have no place in the light map. */
 public final class AmbientLight {
     public static final SharedResource<AmbientLight> RESOURCE = SharedResource.of("ambient light", AmbientLight::new);
 
-    /** The sky visibility of what has no place in the light map; {@code null} if no sky shines. */
-    public static final SharedResource<SkyProbes> PROBES = SharedResource.of(
-            "sky probes",
-            context -> LightRequirements.skyShines(context.scene().level())
-                    ? new SkyProbes(context.scene().statics())
-                    : null);
+    /** The light on what has no place in the light map; {@code null} if no sky shines and no light was baked. */
+    public static final SharedResource<SkyProbes> PROBES =
+            SharedResource.of("probes", AmbientLight::probes).following((probes, frame) -> probes.begin());
 
     /** Along a side of the cube over which an atmosphere's light, of degree 2, is integrated. */
     private static final int SMOOTH_CELLS = 16;
@@ -48,6 +50,29 @@ public final class AmbientLight {
     private AmbientLight(LoadContext context) {
         this.context = context;
         clouds = context.get(RendererClouds.RESOURCE);
+    }
+
+    private static SkyProbes probes(LoadContext context) {
+        Scene scene = context.scene();
+        if (LightRequirements.bounces(scene.light())) {
+            Sampling sampling = Sampling.every(context.quality().probeMetres());
+            return new SkyProbes(scene.statics(), () -> surfaces(context), sampling);
+        }
+        return LightRequirements.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
+    }
+
+    /** Returns a key for what follows from the light that surfaces reflect. */
+    static Identity bouncedKey(Scene scene) {
+        return new Identity(LightRequirements.bounces(scene.light()) ? scene.light() : null);
+    }
+
+    /** Returns the static geometry of a level whose light was baked, with all of its lights as they were then. */
+    static LitSurfaces surfaces(LoadContext context) {
+        Scene scene = context.scene();
+        IndirectLight baked = scene.light().indirect();
+        IndirectLight.Layer all =
+                context.shareValue(IndirectLight.Layer.class, new Identity(baked), () -> baked.sum(true, name -> 1));
+        return context.shareValue(LitSurfaces.class, new Identity(scene), () -> new LitSurfaces(scene, all));
     }
 
     /** Returns what the light without clouds follows from: the sky, and the sun if the sky depends on it. */

@@ -51,6 +51,9 @@ public final class BillboardQuads implements GlObject {
     private final boolean moves;
     private double uploadedSeconds = Double.NaN;
     private final BufferTexture texels;
+    /** {@code null} without baked light. */
+    private final BufferTexture bounced;
+
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] arrays;
     /** The middles from the anchor, and half of the longer sides. */
@@ -89,11 +92,12 @@ public final class BillboardQuads implements GlObject {
         arrays = images.stream().mapToInt(Image::array).toArray();
         balls = new float[BALL * images.size()];
         float[] values = new float[FLOATS * images.size()];
-        BillboardSky sky = new BillboardSky(scene.statics(), LightRequirements.skyShines(scene.level()), images.size());
+        BillboardSky sky = new BillboardSky(context, scene.statics(), images.size());
         for (int i = 0; i < images.size(); i++) {
             put(images.get(i), sky, i, values);
         }
         texels = BufferTexture.ofFloats(gl, "billboards", values);
+        bounced = sky.bounced(gl);
         cluster(images);
     }
 
@@ -107,6 +111,7 @@ public final class BillboardQuads implements GlObject {
                 new Identity(scene.statics().models()),
                 new Identity(scene.assets()),
                 LightRequirements.skyShines(scene.level()),
+                AmbientLight.bouncedKey(scene),
                 kind,
                 anchor,
                 context.output().pictures(),
@@ -162,7 +167,7 @@ public final class BillboardQuads implements GlObject {
         foot.put(values, to, image.number());
         values[to + 4] = (float) scale;
         values[to + 5] = (float) image.group().phase(image.index());
-        values[to + 6] = sky.visibleFrom(image.foot().plus(new Vec3(0, half, 0)));
+        values[to + 6] = sky.find(at, image.foot().plus(new Vec3(0, half, 0)));
         values[to + 7] = (float) image.turn();
         double width = image.group().authored().sizeMetres().width() * scale;
         foot.plus(new Vec3(0, half, 0)).put(balls, BALL * at, (float) Math.max(half, width / 2));
@@ -256,6 +261,9 @@ public final class BillboardQuads implements GlObject {
     public void bind() {
         texels.bind(TextureUnit.BILLBOARDS);
         groupTexels.bind(TextureUnit.BILLBOARD_GROUPS);
+        if (bounced != null) {
+            bounced.bind(TextureUnit.BOUNCED_LIGHT);
+        }
     }
 
     /** Binds the pictures of an array. */
@@ -266,6 +274,9 @@ public final class BillboardQuads implements GlObject {
     @Override
     public void close() {
         texels.close();
+        if (bounced != null) {
+            bounced.close();
+        }
         groupTexels.close();
         MemoryUtil.memFree(groupValues);
         sprites.close();

@@ -17,7 +17,7 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.dynamic.DynamicInstances;
 import nephele.engine.scene.dynamic.DynamicObjects;
 import nephele.engine.scene.dynamic.VisibleInstances;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.lwjgl.BufferUtils;
 
 /**
@@ -34,6 +34,9 @@ public final class DynamicMeshes implements GlObject {
     private final DynamicInstances copies;
     private final GpuMesh mesh;
     private final BufferTexture instances;
+    /** {@code null} without baked light. */
+    private final BufferTexture bounced;
+
     private FloatBuffer staging = BufferUtils.createFloatBuffer(1 << 10);
     private long version;
 
@@ -47,6 +50,7 @@ public final class DynamicMeshes implements GlObject {
                 dynamicObjects.mesh().vertices(),
                 dynamicObjects.mesh().indices());
         instances = BufferTexture.changing(gl, "dynamic instances");
+        bounced = copies.isLit() ? BufferTexture.changing(gl, "bounced light") : null;
     }
 
     private static DynamicMeshes of(LoadContext context) {
@@ -74,13 +78,20 @@ public final class DynamicMeshes implements GlObject {
         long now = copies.update(frameState);
         if (now != version) {
             version = now;
-            int floats = DynamicInstances.FLOATS * copies.instances();
-            if (floats > staging.capacity()) {
-                staging = BufferUtils.createFloatBuffer(2 * floats);
+            upload(instances, copies.packed(), DynamicInstances.FLOATS);
+            if (bounced != null) {
+                upload(bounced, copies.bounced(), DynamicInstances.BOUNCED_FLOATS);
             }
-            instances.upload(staging.clear().put(copies.packed(), 0, floats).flip());
         }
         return now;
+    }
+
+    private void upload(BufferTexture texture, float[] values, int ofInstance) {
+        int floats = ofInstance * copies.instances();
+        if (floats > staging.capacity()) {
+            staging = BufferUtils.createFloatBuffer(2 * floats);
+        }
+        texture.upload(staging.clear().put(values, 0, floats).flip());
     }
 
     /** The uniforms of a program that includes {@code dynamic-position.glsl}, for each run of instances. */
@@ -88,6 +99,9 @@ public final class DynamicMeshes implements GlObject {
 
     public void bind() {
         instances.bind(TextureUnit.DYNAMIC_INSTANCES);
+        if (bounced != null) {
+            bounced.bind(TextureUnit.BOUNCED_LIGHT);
+        }
     }
 
     /** Draws one run with the current program and its uniforms. */
@@ -102,5 +116,8 @@ public final class DynamicMeshes implements GlObject {
     public void close() {
         mesh.close();
         instances.close();
+        if (bounced != null) {
+            bounced.close();
+        }
     }
 }

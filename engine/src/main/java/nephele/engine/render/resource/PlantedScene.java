@@ -50,6 +50,9 @@ public final class PlantedScene implements GlObject {
     private final Texture normals;
     private final BufferTexture kindNumbers;
     private final BufferTexture plantNumbers;
+    /** {@code null} without baked light. */
+    private final BufferTexture bounced;
+
     private final List<Cluster> clusters = new ArrayList<>();
     private final int[] kindOf;
     /** The middles, three numbers each, from the anchor. */
@@ -96,8 +99,7 @@ public final class PlantedScene implements GlObject {
         middles = new float[3 * count];
         sizes = new float[count];
         float[] plants = new float[PLANT_FLOATS * Math.max(1, count)];
-        boolean isSkyLit = LightRequirements.skyShines(scene.level());
-        BillboardSky sky = new BillboardSky(surroundings(scene.statics()), isSkyLit, count);
+        BillboardSky sky = new BillboardSky(context, surroundings(scene.statics()), count);
         int at = 0;
         for (List<Plant> cluster : clustered(planted.plants())) {
             int first = at;
@@ -108,6 +110,10 @@ public final class PlantedScene implements GlObject {
             clusters.add(cluster(first, at));
         }
         plantNumbers = owned.own(BufferTexture.ofFloats(gl, "plants", plants));
+        bounced = sky.bounced(gl);
+        if (bounced != null) {
+            owned.own(bounced);
+        }
     }
 
     /** Shares the level's models that are drawn as impostors. */
@@ -120,6 +126,7 @@ public final class PlantedScene implements GlObject {
                 new Identity(scene.materials()),
                 new Identity(scene.assets()),
                 LightRequirements.skyShines(scene.level()),
+                AmbientLight.bouncedKey(scene),
                 anchor,
                 context.output().pictures(),
                 texels);
@@ -233,7 +240,7 @@ public final class PlantedScene implements GlObject {
         plant.foot().minus(anchor).put(values, PLANT_FLOATS * at, plant.kind());
         values[PLANT_FLOATS * at + 4] = (float) scale;
         values[PLANT_FLOATS * at + 5] = (float) plant.turn();
-        values[PLANT_FLOATS * at + 6] = sky.visibleFrom(middle);
+        values[PLANT_FLOATS * at + 6] = sky.find(at, middle);
         values[PLANT_FLOATS * at + 7] = (float) rank;
         Vec3 fromAnchor = middle.minus(anchor);
         middles[3 * at] = (float) fromAnchor.x();
@@ -290,6 +297,9 @@ public final class PlantedScene implements GlObject {
     public void bind() {
         plantNumbers.bind(TextureUnit.PLANTS);
         kindNumbers.bind(TextureUnit.PLANT_KINDS);
+        if (bounced != null) {
+            bounced.bind(TextureUnit.BOUNCED_LIGHT);
+        }
     }
 
     public void bindAtlases() {

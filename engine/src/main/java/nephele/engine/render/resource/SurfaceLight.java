@@ -287,6 +287,11 @@ public final class SurfaceLight {
                 .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
 
+    /** Adds the define for what has no place in the light map, and is lit by probes or by its own colour of baked light. */
+    public Defines addBounced(Defines defines) {
+        return defines.withIf(LightRequirements.bounces(scene.light()), "BOUNCED_LIGHT");
+    }
+
     private Defines addStatic(Defines defines) {
         return addContact(addLights(defines, maps.ground(), maps.baked()))
                 .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")

@@ -7,7 +7,7 @@ import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.FrameState.ObserverSphere;
 import nephele.engine.scene.FrameState.Posture;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -18,10 +18,14 @@ import org.joml.Vector3d;
  * <p>An instance has {@link #FLOATS} floats: orientation x y z w; centre relative to the anchor, rounded, and its
  * material; the rounding error of the centre, and the shape's kind; half sides and half axis; two planes that clip it,
  * each a unit normal and the signed distance of the centre; the visible fractions of the sky towards +x, +y, +z, and
- * towards −x, −y, −z.
+ * towards −x, −y, −z. Where light was baked it has {@link #BOUNCED_FLOATS} more in a list of their own: the radiance of
+ * the static geometry around, red, green, blue and 0, for each of these axes.
  */
 public final class DynamicInstances {
     public static final int FLOATS = 32;
+
+    /** Floats of the light that other surfaces send to an instance. */
+    public static final int BOUNCED_FLOATS = 4 * SkyProbes.VALUES;
 
     private static final int BALL = 4;
     /** The radius of a ball about the head's centre that contains the head and the distance of the near plane. */
@@ -36,7 +40,7 @@ public final class DynamicInstances {
     private final Vec3 anchor;
     private final SkyProbes sky;
     private final float[] skyOfBodies;
-    private final float[] openness = new float[SkyProbes.VALUES];
+    private final float[] openness;
     /** What the copies follow from, as of the last update: the bodies' poses, seven numbers each, and the rest. */
     private final double[] poses;
 
@@ -46,6 +50,10 @@ public final class DynamicInstances {
     private double seconds;
     /** The bodies whose centres the last update changed. */
     private final boolean[] moved;
+    /** Whether the sky visibility of a body, or of anything, lacks what the probes have deferred. */
+    private final boolean[] awaitsSky;
+
+    private boolean anyAwaitsSky;
 
     private final PortalCopies places = new PortalCopies();
     private final int[] groupStart;
@@ -59,6 +67,9 @@ public final class DynamicInstances {
     private final Vector3d centre = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
     private float[] packed = new float[64 * FLOATS];
+    /** Empty without baked light. */
+    private float[] bounced;
+
     private double[] balls = new double[64 * BALL];
     private int instances;
     private long version;
@@ -79,7 +90,10 @@ public final class DynamicInstances {
         groupStart = new int[dynamicObjects.groups().size() + 1];
         bodyStart = new int[dynamicObjects.shapes().size()];
         bodyEnd = new int[dynamicObjects.shapes().size()];
-        skyOfBodies = new float[SkyProbes.VALUES * dynamicObjects.shapes().size()];
+        openness = new float[sky == null ? SkyProbes.VALUES : sky.values()];
+        skyOfBodies = new float[openness.length * dynamicObjects.shapes().size()];
+        awaitsSky = new boolean[moved.length];
+        bounced = new float[isLit() ? 64 * BOUNCED_FLOATS : 0];
         Arrays.fill(openness, 1);
     }
 
@@ -89,8 +103,9 @@ public final class DynamicInstances {
      * @return a number that changes with every change
      */
     public long update(FrameState frameState) {
-        if (keep(frameState) || version == 0) {
+        if (keep(frameState) || version == 0 || anyAwaitsSky) {
             instances = 0;
+            anyAwaitsSky = false;
             for (int group = 0; group < dynamicObjects.groups().size(); group++) {
                 groupStart[group] = instances;
                 for (int member : dynamicObjects.members().get(group)) {
@@ -199,27 +214,40 @@ public final class DynamicInstances {
 
     /** Sets the sky visibility of a body, which is looked up again only after the body has moved. */
     private void lookUpSkyOf(int body) {
-        int at = SkyProbes.VALUES * body;
-        if (sky != null && moved[body]) {
-            lookUpSky(0);
-            System.arraycopy(openness, 0, skyOfBodies, at, SkyProbes.VALUES);
+        int at = openness.length * body;
+        if (sky != null && (moved[body] || awaitsSky[body])) {
+            awaitsSky[body] = !lookUpSky(0);
+            System.arraycopy(openness, 0, skyOfBodies, at, openness.length);
         } else if (sky != null) {
-            System.arraycopy(skyOfBodies, at, openness, 0, SkyProbes.VALUES);
+            System.arraycopy(skyOfBodies, at, openness, 0, openness.length);
         }
     }
 
-    /** Looks up the sky visibility at a position in front of every portal: the copy's centre may be inside a wall. */
-    private void lookUpSky(int copy) {
-        if (sky != null) {
-            places.openPlace(copy, centre);
-            sky.at(centre.x, centre.y, centre.z, openness, 0);
+    /**
+     * Looks up the sky visibility at a position in front of every portal: the copy's centre may be inside a wall.
+     *
+     * @return false if another lookup is to follow
+     */
+    private boolean lookUpSky(int copy) {
+        if (sky == null) {
+            return true;
         }
+        places.openPlace(copy, centre);
+        boolean isComplete = sky.at(centre.x, centre.y, centre.z, openness, 0);
+        anyAwaitsSky |= !isComplete;
+        return isComplete;
+    }
+
+    /** Returns true if the level's light was baked. */
+    public boolean isLit() {
+        return openness.length > SkyProbes.VALUES;
     }
 
     private void pack(int slot, DynamicShape shape, int material) {
         if ((instances + 1) * FLOATS > packed.length) {
             packed = Arrays.copyOf(packed, 2 * packed.length);
             balls = Arrays.copyOf(balls, 2 * balls.length);
+            bounced = Arrays.copyOf(bounced, 2 * bounced.length);
         }
         places.centre(slot, centre);
         places.orientation(slot, turn);
@@ -228,6 +256,10 @@ public final class DynamicInstances {
         balls[ball + 1] = centre.y;
         balls[ball + 2] = centre.z;
         balls[ball + 3] = shape.reachMetres();
+        for (int value = SkyProbes.VALUES; value < openness.length; value++) {
+            int from = value - SkyProbes.VALUES;
+            bounced[BOUNCED_FLOATS * instances + 4 * (from / 3) + from % 3] = openness[value];
+        }
         int at = FLOATS * instances++;
         put(at, (float) turn.x, (float) turn.y, (float) turn.z, (float) turn.w);
         double x = centre.x - anchor.x();
@@ -266,6 +298,11 @@ public final class DynamicInstances {
     /** Returns the packed instances; valid up to {@link #instances}. */
     public float[] packed() {
         return packed;
+    }
+
+    /** Returns the light that other surfaces send to the instances, as {@link #packed}; empty without baked light. */
+    public float[] bounced() {
+        return bounced;
     }
 
     public int instances() {

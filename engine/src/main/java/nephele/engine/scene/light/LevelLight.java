@@ -7,6 +7,7 @@ import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.IndirectLight;
 import nephele.engine.scene.light.bake.LightCache;
 import nephele.engine.scene.light.bake.LightMapLayout;
 import nephele.engine.scene.light.bake.SkyVisibility;
@@ -54,10 +55,19 @@ public final class LevelLight {
         if (stored.light() == null) {
             return visibility == null ? null : new BakedLight(visibility, null);
         }
+        return of(placed, visibility, stored.light());
+    }
+
+    /**
+     * Returns the light of a level that may have no visibility of the sky, but has a light map nevertheless.
+     *
+     * @param visibility {@code null} for none
+     */
+    public static BakedLight of(PlacedLevel placed, SkyVisibility visibility, IndirectLight indirect) {
         SkyVisibility seen = visibility == null
                 ? SkyVisibility.even(baked(placed), LightRequirements.skyShines(placed.level()))
                 : visibility;
-        return new BakedLight(seen, stored.light());
+        return new BakedLight(seen, indirect);
     }
 
     /** Returns what is found of the level's own light. */

@@ -11,6 +11,7 @@ import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.bake.BakedLight;
 
 /** The kinds of light that a level needs. */
 public final class LightRequirements {
@@ -83,6 +84,11 @@ public final class LightRequirements {
     /** Returns true if the sky emits light, there are solids or models to receive it, and no constant replaces it. */
     public static boolean skyVisibility(Level level) {
         return hasMeshes(level) && skyShines(level);
+    }
+
+    /** Returns true if the light that static geometry reflects was baked. */
+    public static boolean bounces(BakedLight light) {
+        return light != null && light.indirect() != null;
     }
 
     /** Returns the names of the kinds of surfaces, for the explanation of a need. */

@@ -4,6 +4,10 @@
 // The mean of the cosine over a sphere, where it is positive: what leaves of all directions receive.
 const float ALL_DIRECTIONS = 0.25;
 
+#ifdef BOUNCED_LIGHT
+flat in vec3 bounced; // radiance of a white surface that only other surfaces light
+#endif
+
 // meanNormal: length at most 1; lift: metres towards the sun from where its map is read, which resolves no leaves; sky:
 // share that is seen
 vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift, float sky) {
@@ -18,9 +22,12 @@ vec3 plantRadiance(vec3 albedo, vec3 meanNormal, vec3 anchorPosition, float lift
 #ifdef SKY_AMBIENT
     s.skyVisibility = sky;
 #endif
+#ifdef BOUNCED_LIGHT
+    s.bounced = bounced;
+#endif
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#ifdef AMBIENT
     // The sky's light is nearly linear in the normal.
     Surface open = s;
     open.normal = meanNormal;

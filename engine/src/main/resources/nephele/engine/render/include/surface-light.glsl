@@ -1,7 +1,7 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, CONTACT (moving objects darken ambient light), CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
-// faces; BAKED_LIGHT: light of baked-light.glsl in addition; SKY_BAKED: that of the sky is in it, and only lightning asks for its visibility; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
+// faces; BAKED_LIGHT: light of baked-light.glsl in addition; SKY_BAKED: that of the sky is in it, and only lightning asks for its visibility; BOUNCED_LIGHT: light of other surfaces on moving things and billboards; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
 // as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CONTACT, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 #ifdef BAKED_LIGHT
@@ -10,7 +10,7 @@
 #if defined(SKY_AMBIENT) && !defined(SKY_BAKED)
 #define SKY_LIGHT
 #endif
-#if defined(AMBIENT_CONSTANT) || defined(SKY_LIGHT) || defined(BAKED_LIGHT)
+#if defined(AMBIENT_CONSTANT) || defined(SKY_LIGHT) || defined(BAKED_LIGHT) || defined(BOUNCED_LIGHT)
 #define AMBIENT
 #endif
 
@@ -39,6 +39,12 @@ struct Surface {
 #endif
 #if defined(CONTACT) && defined(MOVING_RECEIVER)
     int instance;
+#endif
+#ifdef BOUNCED_LIGHT
+    vec3 bounced;  // radiance of a white surface that only other surfaces light
+#ifdef METALLIC_ROUGHNESS
+    vec3 bouncedMirrored;  // the same, facing the mirrored direction
+#endif
 #endif
 };
 
@@ -223,6 +229,12 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
     diffuse += radianceFacing(s.baked, s.normal, ownNormal(s));
 #ifdef METALLIC_ROUGHNESS
     mirrored += radianceFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
+#endif
+#endif
+#ifdef BOUNCED_LIGHT
+    diffuse += s.bounced;
+#ifdef METALLIC_ROUGHNESS
+    mirrored += s.bouncedMirrored;
 #endif
 #endif
 #ifdef METALLIC_ROUGHNESS

@@ -21,6 +21,7 @@ public final class Trades {
             QualitySubjects.LIGHT_SHADOWS,
             QualitySubjects.LIGHT_PARTS,
             QualitySubjects.CONTACT,
+            ProbeSubject.TRADE,
             PictureSubjects.PORTAL_TECHNIQUE,
             PictureSubjects.PORTAL_BUDGET,
             PictureSubjects.PORTAL_BUDGET_BETWEEN_FACING,

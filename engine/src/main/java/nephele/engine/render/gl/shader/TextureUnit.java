@@ -89,6 +89,8 @@ public enum TextureUnit {
     DYNAMIC_LIGHT_SHADOW(11, "dynamicLightMaps"),
     VIEW_DEPTH(12, "viewDepth"),
     VIEW_COLOUR(13, "viewColour"),
+    /** The light that static geometry sends to moving things, billboards or plants, which read no copy of a view's colours. */
+    BOUNCED_LIGHT(13, "bouncedLight"),
     /** The heights and slopes of a terrain, which is drawn before there are copies of a view. */
     TERRAIN_HEIGHTS(12, "terrainHeights"),
     TERRAIN_SLOPES(13, "terrainSlopes"),

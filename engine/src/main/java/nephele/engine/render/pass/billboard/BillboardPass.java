@@ -108,7 +108,7 @@ public final class BillboardPass implements Pass {
         Level level = context.scene().level();
         boolean isAnimated = level.billboards().stream()
                 .anyMatch(group -> group.blended() && group.frames() > 1 && group.framesPerSecond() > 0);
-        return light.addForDynamicObjects(Defines.of(context))
+        return light.addBounced(light.addForDynamicObjects(Defines.of(context)))
                 .with("LAMBERT")
                 .withIf(kind == Kind.BLENDED, "BLENDED")
                 .withIf(isAnimated, "ANIMATED")

@@ -106,9 +106,9 @@ public final class DynamicPass implements Pass {
 
     private Map<String, String> defines(LoadContext context, SolidBatch.Kind kind) {
         boolean isBare = !kind.isTextured() && !kind.isNormalMapped();
-        Defines defines = materials
-                .addTo(light.addForDynamicObjects(Defines.of(context)), kind, quality)
-                .withIf(isBare && context.output() != Output.PLAIN, "DETAIL");
+        Defines lit = light.addBounced(light.addForDynamicObjects(Defines.of(context)));
+        Defines defines =
+                materials.addTo(lit, kind, quality).withIf(isBare && context.output() != Output.PLAIN, "DETAIL");
         return isOfHeld
                 ? defines.with("SEE_THROUGH")
                         .with("FACE_OPACITY", HELD_FACE_OPACITY)

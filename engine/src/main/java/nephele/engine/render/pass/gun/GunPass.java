@@ -38,7 +38,7 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.DynamicMesh.Range;
 import nephele.engine.scene.dynamic.GunMesh;
-import nephele.engine.scene.light.SkyProbes;
+import nephele.engine.scene.probe.SkyProbes;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 
@@ -81,11 +81,11 @@ public final class GunPass implements Pass {
 
     private final GlProgram<Drawn> depth;
     private final GlProgram<Lit> lit;
-    /** {@code null} without light of the sky. */
+    /** {@code null} without light of the sky and baked light. */
     private final SkyProbes sky;
 
-    /** The visible parts of the sky, as of {@link SkyProbes}. */
-    private final float[] visibleSky = new float[SkyProbes.VALUES];
+    /** The light around the eye, as of {@link SkyProbes}. */
+    private final float[] around = new float[SkyProbes.LIT_VALUES];
 
     private final Matrix3d viewFromGun = new Matrix3d();
     private final Vector3d[] axes = {new Vector3d(), new Vector3d(), new Vector3d(), new Vector3d()};
@@ -112,7 +112,8 @@ public final class GunPass implements Pass {
             Vector3 flash,
             @IfRead Vector3 eyeFromAnchor,
             @IfRead Vector3 skySeenAhead,
-            @IfRead Vector3 skySeenBehind) {}
+            @IfRead Vector3 skySeenBehind,
+            @IfRead List<Vector3> bounced) {}
 
     private GunPass(LoadContext context, TargetReads reads, boolean isInOpening) {
         this.isInOpening = isInOpening;
@@ -130,7 +131,7 @@ public final class GunPass implements Pass {
         depth = GlProgram.of(gl, FOLDER + "gun.vert", FOLDER + "depth.frag", onlyDepth, Drawn.class);
         MeteredExposure.readInViews(context);
         var defines = materials
-                .addTo(light.addForGun(Defines.of(context)), KIND, context.quality())
+                .addTo(light.addBounced(light.addForGun(Defines.of(context))), KIND, context.quality())
                 .with("FIRST_LAMP", GunMesh.FIRST_LAMP)
                 .values();
         lit = GlProgram.of(gl, FOLDER + "gun.vert", FOLDER + "gun.frag", defines, Lit.class);
@@ -176,7 +177,7 @@ public final class GunPass implements Pass {
         light.bind(reads);
         materials.bind(0);
         if (sky != null) {
-            sky.at(view.eyeX(), view.eyeY(), view.eyeZ(), visibleSky, 0);
+            sky.at(view.eyeX(), view.eyeY(), view.eyeZ(), around, 0);
         }
         lit.use();
         lit.uniforms().drawn.set(drawn);
@@ -222,8 +223,12 @@ public final class GunPass implements Pass {
         put(uniforms.gunBack, axes[2]);
         Vec3 anchor = light.anchor();
         uniforms.eyeFromAnchor.set(view.eyeX() - anchor.x(), view.eyeY() - anchor.y(), view.eyeZ() - anchor.z());
-        uniforms.skySeenAhead.set(visibleSky[0], visibleSky[1], visibleSky[2]);
-        uniforms.skySeenBehind.set(visibleSky[3], visibleSky[4], visibleSky[5]);
+        uniforms.skySeenAhead.set(around[0], around[1], around[2]);
+        uniforms.skySeenBehind.set(around[3], around[4], around[5]);
+        for (int i = 0; i < uniforms.bounced.size(); i++) {
+            int at = SkyProbes.VALUES + 3 * i;
+            uniforms.bounced.get(i).set(around[at], around[at + 1], around[at + 2]);
+        }
     }
 
     /** Sets the colours of the lamps and of a shot's flash. */

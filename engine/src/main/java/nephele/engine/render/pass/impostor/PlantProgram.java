@@ -42,7 +42,7 @@ final class PlantProgram {
         anchor = light.anchor();
         MeteredExposure.readInViews(context);
         double pixels = context.quality().impostorPixels();
-        var defines = light.addForDynamicObjects(Defines.of(context))
+        var defines = light.addBounced(light.addForDynamicObjects(Defines.of(context)))
                 .with("LAMBERT")
                 .with("PER_SHEET", BillboardList.PER_SHEET)
                 .with("IMPOSTOR_PIXELS", pixels)

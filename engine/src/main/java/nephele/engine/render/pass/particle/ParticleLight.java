@@ -15,12 +15,14 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.FrameLightning;
 import nephele.engine.render.resource.RendererClouds;
+import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyIrradiance;
+import nephele.engine.scene.probe.SkyProbes;
 import org.joml.Vector3d;
 
 /**
  * The light on the particles of each emitter, the same for all of them: mean radiance of the sky as far as it is seen,
- * or the constant ambient light, sun and lamps as scattered evenly in all directions by a thick billow.
+ * or the constant ambient light, baked light of surfaces, sun and lamps as scattered evenly in all directions by a thick billow.
  */
 final class ParticleLight {
     /** Radiance for an irradiance of 1: twice that of light scattered once, 1 / (4 π). */
@@ -39,7 +41,9 @@ final class ParticleLight {
     private final AmbientLight light;
 
     private final double[] skyFraction;
+    /** The light of lamps, and of the surfaces around where light was baked. */
     private final Vector3d[] ofLamps;
+
     /** Scattered radiance by emitter, RGB. */
     private final float[] radiance;
 
@@ -71,6 +75,10 @@ final class ParticleLight {
         for (int i = 0; i < emitters.size(); i++) {
             skyFraction[i] = particles.skyFraction(i);
             ofLamps[i] = ofLamps(emitters.get(i));
+            if (LightRequirements.bounces(context.scene().light())) {
+                ofLamps[i].add(bounced(
+                        context.get(AmbientLight.PROBES), emitters.get(i).centre()));
+            }
         }
     }
 
@@ -80,6 +88,17 @@ final class ParticleLight {
                 .flatMap(light -> PunctualLight.of(light).stream())
                 .forEach(light -> sum.add(light.irradianceAt(emitter.centre())));
         return sum.mul(OF_IRRADIANCE / 2);
+    }
+
+    /** Returns the mean radiance of the static geometry around a place. */
+    private static Vector3d bounced(SkyProbes probes, Vec3 place) {
+        float[] values = new float[SkyProbes.LIT_VALUES];
+        probes.at(place.x(), place.y(), place.z(), values, 0);
+        Vector3d sum = new Vector3d();
+        for (int at = SkyProbes.VALUES; at < values.length; at += 3) {
+            sum.add(values[at], values[at + 1], values[at + 2]);
+        }
+        return sum.div(SkyProbes.VALUES);
     }
 
     /** Updates the light to an environment, if it is another one. */

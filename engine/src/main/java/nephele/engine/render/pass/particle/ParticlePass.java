@@ -41,7 +41,12 @@ import nephele.engine.scene.View;
 public final class ParticlePass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
                     "particle", Stage.IN_VIEWS_AFTER_OPAQUE, ParticlePass::requiredBy)
-            .using(RendererClouds.RESOURCE, FrameLightning.RESOURCE, AmbientLight.RESOURCE, MeteredExposure.RESOURCE);
+            .using(
+                    RendererClouds.RESOURCE,
+                    FrameLightning.RESOURCE,
+                    AmbientLight.RESOURCE,
+                    AmbientLight.PROBES,
+                    MeteredExposure.RESOURCE);
 
     private static final String FOLDER = "/nephele/engine/render/pass/particle/";
     private static final int PER_SHEET = 512;

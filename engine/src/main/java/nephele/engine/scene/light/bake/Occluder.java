@@ -8,8 +8,8 @@ import nephele.engine.math.heightfield.HeightFieldSurface;
 
 /** A shape that blocks rays. */
 sealed interface Occluder {
-    /** Returns true if o + t · d intersects it for some 0 ≤ t ≤ {@code length}. */
-    boolean intersects(double[] o, double[] d, double length);
+    /** Returns the least t, 0 ≤ t ≤ {@code length}, for which o + t · d is in or on it; infinity for none. */
+    double entry(double[] o, double[] d, double length);
 
     /** Returns true if a point is inside or on the surface; an open surface contains no point. */
     boolean contains(double[] p);
@@ -20,7 +20,7 @@ sealed interface Occluder {
     record Convex(double[] planes) implements Occluder {
         /** Clips the line by every plane (Cyrus and Beck 1978); the rest is inside. */
         @Override
-        public boolean intersects(double[] o, double[] d, double length) {
+        public double entry(double[] o, double[] d, double length) {
             double enter = 0;
             double leave = length;
             for (int i = 0; i < planes.length; i += 4) {
@@ -31,13 +31,28 @@ sealed interface Occluder {
                 } else if (along < 0) {
                     enter = Math.max(enter, distance / along);
                 } else if (distance < 0) {
-                    return false;
+                    return Double.POSITIVE_INFINITY;
                 }
                 if (enter > leave) {
-                    return false;
+                    return Double.POSITIVE_INFINITY;
                 }
             }
-            return true;
+            return enter;
+        }
+
+        /** Returns the plane through which a ray that intersects it enters, −1 for one that begins inside. */
+        int entryPlane(double[] o, double[] d) {
+            double enter = 0;
+            int plane = -1;
+            for (int i = 0; i < planes.length; i += 4) {
+                double along = planes[i] * d[0] + planes[i + 1] * d[1] + planes[i + 2] * d[2];
+                double distance = planes[i + 3] - planes[i] * o[0] - planes[i + 1] * o[1] - planes[i + 2] * o[2];
+                if (along < 0 && distance / along > enter) {
+                    enter = distance / along;
+                    plane = i / 4;
+                }
+            }
+            return plane;
         }
 
         @Override
@@ -54,9 +69,9 @@ sealed interface Occluder {
     /** A triangle of a non-convex mesh: nine numbers from {@code at}. */
     record Triangle(double[] corners, int at) implements Occluder {
         @Override
-        public boolean intersects(double[] o, double[] d, double length) {
+        public double entry(double[] o, double[] d, double length) {
             double t = RayTriangleIntersection.hitParameter(o[0], o[1], o[2], d[0], d[1], d[2], corners, at);
-            return t >= 0 && t <= length;
+            return t >= 0 && t <= length ? t : Double.POSITIVE_INFINITY;
         }
 
         @Override
@@ -68,9 +83,11 @@ sealed interface Occluder {
     /** A terrain; below it everything is inside. */
     record Ground(HeightField field) implements Occluder {
         @Override
-        public boolean intersects(double[] o, double[] d, double length) {
+        public double entry(double[] o, double[] d, double length) {
             Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
-            return field.nearest(ray, length, (r, triangle, most) -> field.intersection(r, triangle), new RayHit());
+            RayHit hit = new RayHit();
+            boolean isHit = field.nearest(ray, length, (r, triangle, most) -> field.intersection(r, triangle), hit);
+            return isHit ? hit.distance() : Double.POSITIVE_INFINITY;
         }
 
         @Override

@@ -13,6 +13,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
 
 /**
@@ -23,9 +24,12 @@ public final class Occluders {
     /** No item. */
     static final int NONE = -1;
 
+    private final StaticShapes shapes;
     private final Occluder[] items;
     /** The item of each convex model, by its index in the level. */
     private final Map<Integer, Integer> itemOfModel = new TreeMap<>();
+    /** The models by their first item, and the terrains after them by theirs. */
+    private final TreeMap<Integer, StaticShape> shapeFrom = new TreeMap<>();
 
     private final SpatialIndex index;
 
@@ -34,17 +38,19 @@ public final class Occluders {
     }
 
     public Occluders(StaticShapes shapes) {
+        this.shapes = shapes;
         List<ConvexPolyhedron> convex = new ArrayList<>();
-        List<double[]> sheets = new ArrayList<>();
+        List<StaticShape.TriangleMesh> sheets = new ArrayList<>();
         shapes.forEach(
                 hull -> convex.add(hull.brush().shape()),
                 mesh -> {
                     PlacedModel model = mesh.model();
                     if (model.solid() != null) {
                         itemOfModel.put(model.index(), convex.size());
+                        shapeFrom.put(convex.size(), mesh);
                         convex.add(model.solid().shape());
                     } else {
-                        sheets.add(model.triangles().corners());
+                        sheets.add(mesh);
                     }
                 },
                 grid -> {});
@@ -54,13 +60,16 @@ public final class Occluders {
             all.add(new Occluder.Convex(shape.flatPlanes()));
             boxes.add(shape.bounds());
         }
-        for (double[] corners : sheets) {
+        for (StaticShape.TriangleMesh sheet : sheets) {
+            shapeFrom.put(all.size(), sheet);
+            double[] corners = sheet.model().triangles().corners();
             for (int at = 0; at < corners.length; at += 9) {
                 all.add(new Occluder.Triangle(corners, at));
                 boxes.add(Aabb.of(List.of(corner(corners, at), corner(corners, at + 3), corner(corners, at + 6))));
             }
         }
         for (StaticShape.HeightGrid grid : shapes.ground()) {
+            shapeFrom.put(all.size(), grid);
             all.add(new Occluder.Ground(grid.field()));
             boxes.add(grid.field().bounds());
         }
@@ -120,14 +129,44 @@ public final class Occluders {
         return tests[0];
     }
 
+    /** Returns the shapes that it was made for. */
+    public StaticShapes shapes() {
+        return shapes;
+    }
+
+    /** Returns true for an item that is the solid with this index in the level. */
+    public boolean isSolid(int item) {
+        return item < shapes.solids().size();
+    }
+
+    /** Returns the model or terrain that an item belongs to, which is no solid. */
+    public StaticShape shapeOf(int item) {
+        return shapeFrom.floorEntry(item).getValue();
+    }
+
+    /** Returns the triangle of its model that an item is; −1 for one that is a whole shape. */
+    public int triangleOf(int item) {
+        return items[item] instanceof Occluder.Triangle triangle ? triangle.at() / 9 : -1;
+    }
+
+    /** Returns the face through which a ray enters a convex item that it hits; −1 from inside, and for other items. */
+    public int faceOf(int item, double[] o, double[] d) {
+        return items[item] instanceof Occluder.Convex convex ? convex.entryPlane(o, d) : -1;
+    }
+
+    /** Finds the first item that a ray hits; for callers that reuse their test and hit. */
+    public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
+        return index.nearest(ray, limit, test, hit);
+    }
+
     /** Returns true if the ray hits any item up to {@code limit}; for callers that reuse their test. */
     public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         return index.anyHit(ray, limit, test);
     }
 
-    /** Returns the result of such a test for one item. */
+    /** Returns the result of such a test for one item: the ray parameter at which it is hit. */
     public double hit(int item, double[] o, double[] d, double limit) {
-        return answer(meets(item, o, d, limit));
+        return items[item].entry(o, d, limit);
     }
 
     /** Returns true if a single item intersects every segment from {@code o} to {@code o + segments[i]}. */
@@ -153,7 +192,7 @@ public final class Occluders {
     }
 
     private boolean meets(int item, double[] o, double[] d, double length) {
-        return items[item].intersects(o, d, length);
+        return items[item].entry(o, d, length) < Double.POSITIVE_INFINITY;
     }
 
     /** Tests if the ray from {@code o} along {@code d} intersects an item other than {@code except}. */

@@ -22,6 +22,9 @@ uniform vec3 eyeLow;
 #ifdef OBSERVER
 uniform vec3 observer; // from the anchor; faced instead of the eye
 #endif
+#ifdef BOUNCED_LIGHT
+uniform samplerBuffer bouncedLight; // a texel an image: the radiance of a white surface that only other surfaces light
+#endif
 
 out vec2 st;
 flat out vec3 layers; // this frame's, the next one's and its share
@@ -54,7 +57,7 @@ const float BETWEEN_LEAVES = java(level.billboard.PlantedBillboards.BETWEEN_LEAV
 vec3 lightAt(Surface s) {
     REFLECTANCE r = reflectanceOf(s);
     vec3 sum = vec3(0.0);
-#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#ifdef AMBIENT
     sum += ambientLight(r, s);
 #endif
 #ifdef LIGHT_PARTS
@@ -73,7 +76,7 @@ vec3 lightAt(Surface s) {
 
 // ahead: towards the eye. The shadow is that of a place outside of the billboard on the sun's side, so that it is not in
 // its own.
-vec3 lightOf(Billboard b, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3 ahead, float width) {
+vec3 lightOf(Billboard b, int number, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3 ahead, float width) {
     Surface s;
     s.baseColour = vec3(1.0);
     s.normal = normalize(ahead + BULGE * (corner.x * axes.right + corner.y * axes.up));
@@ -87,6 +90,9 @@ vec3 lightOf(Billboard b, vec3 fromMiddle, vec3 middle, BillboardAxes axes, vec3
 #endif
 #ifdef SKY_AMBIENT
     s.skyVisibility = b.sky;
+#endif
+#ifdef BOUNCED_LIGHT
+    s.bounced = texelFetch(bouncedLight, number).rgb;
 #endif
     return lightAt(s);
 }
@@ -131,7 +137,7 @@ void main() {
     bulgeRight = BULGE * axes.right;
     bulgeUp = BULGE * axes.up;
 #endif
-    litRadiance = lightOf(b, fromMiddle, middle, axes, ahead, size.x) + billboardGroup(b.group, 4).rgb;
+    litRadiance = lightOf(b, number, fromMiddle, middle, axes, ahead, size.x) + billboardGroup(b.group, 4).rgb;
     addedRadiance = vec3(0.0);
     passing = 1.0;
 #ifdef AIR

@@ -92,6 +92,12 @@ void main() {
 #ifdef CONTACT
     s.instance = instance;
 #endif
+#ifdef BOUNCED_LIGHT
+    s.bounced = bouncedOn(instance, s.normal);
+#ifdef METALLIC_ROUGHNESS
+    s.bouncedMirrored = bouncedOn(instance, reflect(-s.toEye, s.normal));
+#endif
+#endif
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
 #ifdef SEE_THROUGH
     float towardsEye = dot(s.faceNormal, -normalize(relativePosition));

@@ -34,11 +34,24 @@ uniform vec3 eyeFromAnchor;
 uniform vec3 skySeenAhead; // shares of the sky towards +x, +y and +z
 uniform vec3 skySeenBehind;
 #endif
+#ifdef BOUNCED_LIGHT
+uniform vec3 bounced[6]; // the radiance around +x, +y, +z, -x, -y and -z
+#endif
 
 const float LIGHT_SHARE = 0.35; // of the way to the gun where it is lit: within the player's body, which walls keep out
 
+#ifdef BOUNCED_LIGHT
+const float FILL = 0.0;
+
+vec3 bouncedOn(vec3 n) {
+    vec3 weights = n * n;
+    return weights.x * bounced[n.x < 0.0 ? 3 : 0] + weights.y * bounced[n.y < 0.0 ? 4 : 1]
+            + weights.z * bounced[n.z < 0.0 ? 5 : 2];
+}
+#else
 // Light that surfaces around reflect to the gun's dark sides, as displayed.
 const float FILL = 0.06;
+#endif
 const float OUTLINE = 0.012; // more of it at the outline, as of all surfaces seen at a slant
 
 vec3 lampRadiance(vec4 shining, float facing) {
@@ -65,6 +78,12 @@ vec3 litRadiance(vec3 relative, vec3 own, vec3 n, vec3 toEye) {
 #endif
 #ifdef SKY_AMBIENT
     s.skyVisibility = dot(n * n, mix(skySeenBehind, skySeenAhead, step(0.0, n)));
+#endif
+#ifdef BOUNCED_LIGHT
+    s.bounced = bouncedOn(n);
+#ifdef METALLIC_ROUGHNESS
+    s.bouncedMirrored = bouncedOn(reflect(-toEye, n));
+#endif
 #endif
     vec2 light = gunLight(position, own);
     vec3 glow = (0.15 + s.baseColour) * (lamp * light.x + flash * light.y);

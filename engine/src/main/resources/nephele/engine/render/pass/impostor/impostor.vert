@@ -16,6 +16,10 @@ layout(location = 0) in vec2 corner; // -1 or 1
 uniform vec3 eyeHigh; // from the anchor
 uniform vec3 eyeLow;
 uniform float pixelsPerRadian;
+#ifdef BOUNCED_LIGHT
+uniform samplerBuffer bouncedLight; // a texel a plant
+flat out vec3 bounced;
+#endif
 
 out vec3 relativePosition;
 flat out vec3 towardsEye;
@@ -77,6 +81,9 @@ void main() {
     towardsEye = toEye;
     fromCentreToEye = -relative;
     emission = kind.emission;
+#ifdef BOUNCED_LIGHT
+    bounced = texelFetch(bouncedLight, number).rgb;
+#endif
     relativePosition = position;
     addedRadiance = vec3(0.0);
     passing = 1.0;

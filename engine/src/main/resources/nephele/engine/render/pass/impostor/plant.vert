@@ -11,6 +11,10 @@ layout(location = 2) in vec2 textureCoordinates;
 uniform vec3 eyeHigh; // from the anchor
 uniform vec3 eyeLow;
 uniform float pixelsPerRadian;
+#ifdef BOUNCED_LIGHT
+uniform samplerBuffer bouncedLight; // a texel a plant
+flat out vec3 bounced;
+#endif
 
 out vec3 relativePosition;
 out vec3 normal;
@@ -32,6 +36,9 @@ void main() {
     normal = turned(normalAndSky.xyz / 32767.0, plant.turn);
     skyShare = plant.sky * normalAndSky.w / 32767.0;
     emission = kind.emission;
+#ifdef BOUNCED_LIGHT
+    bounced = texelFetch(bouncedLight, plantNumber(gl_InstanceID)).rgb;
+#endif
 #ifdef TEXTURED
     st = textureCoordinates;
 #endif
