@@ -6,6 +6,7 @@ import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.IndirectLight;
@@ -77,6 +78,15 @@ public record FrameRequest(
     /** Returns true if exposure is metered: for auto, from linear light. */
     public boolean metersExposure() {
         return output == Output.HDR && level.environment().exposureStops().isAuto();
+    }
+
+    /** Returns true if ambient light is darkened near moving objects. */
+    public boolean drawsContact() {
+        Vec3 constant = level.environment().ambient();
+        boolean isAmbient = LightRequirements.skyShines(level)
+                || constant != null && !constant.equals(Vec3.ZERO)
+                || lightMaps.bakes(LightMaps.Baked.BOUNCED);
+        return quality.contact() == Quality.Contact.ON && isAmbient && (hasBodies() || mayShowCharacter());
     }
 
     public boolean mayShowCharacter() {

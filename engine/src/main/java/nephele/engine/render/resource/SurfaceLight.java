@@ -26,9 +26,12 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.UniformBlock;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.dynamic.ContactCasters;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowCasters;
@@ -58,6 +61,10 @@ public final class SurfaceLight {
     private final BufferTexture lightTexels;
     private final BufferTexture lightGrid;
     private final DynamicShadows dynamicShadows;
+    /** The number of spheres that hide ambient light from what is near them. */
+    private final int contactSpheres;
+    /** {@code null} without such spheres. */
+    private final UniformBuffer contact;
     /** {@code null} without lightning. */
     private final FrameLightning flash;
 
@@ -96,6 +103,8 @@ public final class SurfaceLight {
         lightGrid =
                 lights == null ? null : context.own(BufferTexture.ofIntegers(gl, "light grid", lights.packedGrid()));
         dynamicShadows = context.own(new DynamicShadows(gl, maps));
+        contactSpheres = request.drawsContact() ? ContactCasters.spheres(level, request.character()) : 0;
+        contact = contactSpheres == 0 ? null : context.own(new UniformBuffer(gl, "contact shadow", 8 * contactSpheres));
     }
 
     private static SurfaceLight of(LoadContext context) {
@@ -210,6 +219,16 @@ public final class SurfaceLight {
         return dynamicShadows;
     }
 
+    /** Returns the number of spheres that hide ambient light; 0 if nothing does. */
+    public int contactSpheres() {
+        return contactSpheres;
+    }
+
+    /** Sets the spheres that hide ambient light, as {@link ContactCasters#choose} packs them. */
+    public void contact(float[] spheres) {
+        contact.upload(spheres);
+    }
+
     /** Returns the direction towards the sun, or towards the moon when that is the level's directional light. */
     public Vec3 towardsSun() {
         return towardsSun;
@@ -236,6 +255,7 @@ public final class SurfaceLight {
                 || maps.ground().has(Target.CLOUD_SHADE)
                 || lights != null && !maps.bakes(Baked.LAMPS)
                 || maps.ground().has(Target.DYNAMIC_SUN_SHADOW)
+                || contact != null
                 || flash != null;
     }
 
@@ -273,7 +293,7 @@ public final class SurfaceLight {
      * probes.
      */
     public Defines addForDynamicObjects(Defines defines) {
-        return addLights(defines, maps.dynamicObjects(), Set.of())
+        return addContact(addLights(defines, maps.dynamicObjects(), Set.of()))
                 .with("ANCHOR_POSITION")
                 .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
@@ -291,11 +311,15 @@ public final class SurfaceLight {
     }
 
     private Defines addStatic(Defines defines) {
-        return addLights(defines, maps.ground(), maps.baked())
+        return addContact(addLights(defines, maps.ground(), maps.baked()))
                 .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
                 .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
                 .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
                 .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
+    }
+
+    private Defines addContact(Defines defines) {
+        return contact == null ? defines : defines.with("CONTACT").with("CONTACT_SPHERES", contactSpheres);
     }
 
     /** @param baked the light that is not drawn live */
@@ -326,5 +350,8 @@ public final class SurfaceLight {
             lightGrid.bind(TextureUnit.LIGHT_GRID);
         }
         dynamicShadows.bind();
+        if (contact != null) {
+            contact.bind(UniformBlock.CONTACT);
+        }
     }
 }

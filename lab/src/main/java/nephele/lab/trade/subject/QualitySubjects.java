@@ -90,6 +90,10 @@ public final class QualitySubjects {
                     "lightShadows", REFERENCE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
             .in(LIT_LEVEL);
 
+    public static final Trade CONTACT = PictureSubjects.setting(
+                    "contact", REFERENCE, PictureSetting.all("contact", "off", "on"))
+            .in("levels/04-cube.json");
+
     private QualitySubjects() {}
 
     private static String filterNote(String filter) {
