@@ -149,7 +149,7 @@ class AirShadeGlTest {
     }
 
     private static Optional<AirShade> shade(Environment environment) {
-        return AirShade.of(environment, LevelClouds.of(environment, TestAssets.NONE, 0, Optional.empty()));
+        return AirShade.ofClouds(environment, LevelClouds.of(environment, TestAssets.NONE, 0, Optional.empty()));
     }
 
     private static Vector3d mean(AirShade exact, Vec3 away, double metres) {

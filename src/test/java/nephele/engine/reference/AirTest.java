@@ -6,6 +6,7 @@ import nephele.engine.atmosphere.Air;
 import nephele.engine.atmosphere.AirLight;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.ClearSky;
+import nephele.engine.atmosphere.LightScatteredOnce;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
@@ -74,5 +75,27 @@ class AirTest {
         Vec3 behind = glow.times(high.transmittance()).addScaled(IRRADIANCE, high.radiance());
         Vec3 wanted = behind.times(low.transmittance()).addScaled(IRRADIANCE, low.radiance());
         assertEquals(0, wanted.minus(new Vec3(seen[0], seen[1], seen[2])).length(), 1e-6, wanted + " " + high);
+    }
+
+    /** With light that bounces, the air under a roof lacks what it would scatter once of the sun's light. */
+    @Test
+    void wallsShadeTheAir() {
+        Vec3 sun = Directions.unit(new Vec3(0.3, 0.9, -0.3));
+        Vec3 glow = TestLevel.grey(0.01);
+        TestLevel hall = new TestLevel()
+                .sky(Sky.Atmosphere.CLEAR)
+                .castingSun(sun, IRRADIANCE)
+                .material(new Material("glow", Vec3.ZERO, null, null, null, null, glow, 1))
+                .box("glow", new Vec3(0, 1, -1500), new Vec3(900, 900, 1000))
+                .box("glow", new Vec3(0, 600, 0), new Vec3(9000, 200, 9000));
+        Pinhole eye = Traced.eye(EYE, new Vec3(0, 1, 0), 1e-7);
+        float[] seen = Traced.picture(hall, eye, new TraceSettings(1, 1, 1, 1, 1, LightTransport.FULL));
+        AirTables tables = AirTables.of(Air.CLEAR);
+        Vec3 along = new Vec3(0, 0, -1);
+        AirLight all = new ClearSky(tables).along(1, along, sun, 1002);
+        Vec3 once = new LightScatteredOnce(tables).upTo(1, along, sun, new double[] {1002})[0];
+        Vec3 wanted =
+                glow.times(all.transmittance()).plus(all.radiance().minus(once).scaled(IRRADIANCE));
+        assertEquals(0, wanted.minus(new Vec3(seen[0], seen[1], seen[2])).length(), 1e-6, wanted + ", once " + once);
     }
 }

@@ -80,13 +80,11 @@ final class BounceLinks {
             int link = RAYS * receiver;
             for (int i = 0; i < RAYS; i++) {
                 int at = link + i;
-                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, met, direction, cosine, to) -> {
-                    if (end != GatherRays.End.OTHER) {
-                        receivers.around(end, met, corners, weights);
-                        ends[at] = chosen(corners, weights, random.nextDouble());
-                        keep(met.reflectance(), at);
-                        bake.addReflected(met, direction, cosine, to, bake.direct(), corners, weights);
-                    }
+                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, reflectance, direction, cosine, to) -> {
+                    receivers.around(end, ray, corners, weights);
+                    ends[at] = chosen(corners, weights, random.nextDouble());
+                    keep(reflectance, at);
+                    bake.addReflected(reflectance, direction, cosine, to, bake.direct(), corners, weights);
                 });
             }
             int at = receiver * Gathered.VALUES * layers;

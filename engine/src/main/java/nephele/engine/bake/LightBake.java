@@ -9,17 +9,21 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
+import nephele.engine.level.Cloud;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.RecordCopy;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Hash64;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.GatherRays;
+import nephele.engine.reference.SkyPanorama;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.light.bake.IndirectLight;
 import nephele.engine.scene.light.bake.LightMapLayout;
@@ -47,8 +51,14 @@ public final class LightBake {
     /** Rays of each group between two looks at the error. */
     private static final int ROUND = 16;
 
+    /** The most surfaces without baked light on a ray; what is beyond them is black. */
+    private static final int MOST_OTHERS = 8;
+
     /** The share of the level's mean below which a receiver's error is absolute. */
-    private static final double DIM = 0.25;
+    private static final double DIM = 0.05;
+
+    /** The multiple of the level's mean above which a receiver's error is absolute. */
+    private static final double BRIGHT = 1.5;
 
     /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions (Roberts 2018). */
     private static final double STEP_ROOT = 1.32471795724474602596;
@@ -56,6 +66,9 @@ public final class LightBake {
     private final Settings settings;
     private final TracedLevel traced;
     private final GatherRays.Sources sources;
+    /** {@code null} if each ray finds the sky itself. */
+    private final SkyPanorama panorama;
+
     private final Receivers receivers;
     /** The names of the layers, the nameless one first. */
     private final List<String> names;
@@ -77,7 +90,7 @@ public final class LightBake {
      * @param mostRays the most rays of a receiver, of all groups together
      */
     public record Settings(double error, int mostRays) {
-        public static final Settings USUAL = new Settings(0.02, 2048);
+        public static final Settings USUAL = new Settings(0.03, 2048);
 
         /** Returns these settings for another error, with as many more or fewer rays as it takes. */
         public Settings withError(double other) {
@@ -106,9 +119,9 @@ public final class LightBake {
     }
 
     /**
-     * The standard errors that a bake has reached, as shares of the level's mean.
+     * The standard errors of the receivers that any light reaches, as shares of the level's mean.
      *
-     * @param percentile99 the error that 99 % of all receivers do not exceed
+     * @param percentile99 the error that 99 % of them do not exceed
      */
     public record Error(double median, double percentile99) {}
 
@@ -120,6 +133,7 @@ public final class LightBake {
         traced = TracedLevel.of(new PlacedLevel(still, placed.assets(), statics), ColourDecoding.SRGB);
         sources = Daylight.moves(level.environment()) ? GatherRays.Sources.LAMPS : GatherRays.Sources.ALL;
         hasSun = level.environment().sun() != null && sources == GatherRays.Sources.ALL;
+        panorama = sources == GatherRays.Sources.ALL ? panorama(level, statics.bounds()) : null;
         receivers = new Receivers(LightMapLayout.of(statics.solids()), statics);
         List<Light> lamps = traced.lamps();
         names = new ArrayList<>(List.of(""));
@@ -128,6 +142,27 @@ public final class LightBake {
         direct = new float[values];
         indirect = new float[values];
         errors = new float[receivers.count()];
+    }
+
+    /** Returns the sky as the top of the level sees it, or {@code null} if that is inside a cloud. */
+    private SkyPanorama panorama(Level level, Aabb bounds) {
+        Vec3 middle = bounds.centre();
+        Vec3 top = new Vec3(middle.x(), bounds.maxY(), middle.z());
+        boolean isInCloud =
+                WeatherClouds.all(level.environment()).stream().anyMatch(cloud -> isAround(cloud.extent(), top));
+        return isInCloud ? null : traced.panorama(top).orElse(null);
+    }
+
+    private static boolean isAround(Cloud.Extent extent, Vec3 place) {
+        if (extent instanceof Cloud.Extent.Layer layer) {
+            double above = place.y() - layer.baseAltitudeMetres();
+            return above >= 0 && above <= layer.thicknessMetres();
+        }
+        Cloud.Extent.Volume volume = (Cloud.Extent.Volume) extent;
+        Vec3 from = place.minus(volume.centre());
+        return Math.abs(from.x()) <= volume.size().x() / 2
+                && Math.abs(from.y()) <= volume.size().y() / 2
+                && Math.abs(from.z()) <= volume.size().z() / 2;
     }
 
     /**
@@ -227,6 +262,16 @@ public final class LightBake {
                 errors[first + i] = values[i * (length + 1) + length];
             }
         });
+        float[] filtered = new NoiseFilter(receivers, length, indirect, absolute()).filtered();
+        System.arraycopy(filtered, 0, indirect, 0, filtered.length);
+    }
+
+    private float[] absolute() {
+        float[] absolute = errors.clone();
+        for (int i = 0; i < absolute.length; i++) {
+            absolute[i] *= (float) mean;
+        }
+        return absolute;
     }
 
     /** Runs both parts of the bake. */
@@ -251,7 +296,7 @@ public final class LightBake {
     /** Begins the work on blocks in an order. */
     private void inParallel(int[] order, BlockWork work) {
         AtomicInteger begun = new AtomicInteger();
-        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources));
+        ThreadLocal<GatherRays> rays = ThreadLocal.withInitial(() -> traced.gatherRays(sources, panorama));
         IntStream.range(0, order.length)
                 .parallel()
                 .forEach(any -> work.run(rays.get(), order[begun.getAndIncrement()]));
@@ -307,13 +352,24 @@ public final class LightBake {
         }
     }
 
-    /** What the end of a ray reflects. */
+    /** What receivers reflect. */
     interface Reflection {
-        /** Adds the light that arrives along the last ray by reflection. */
-        void add(GatherRays.End end, GatherRays ray, Vector3dc direction, double cosine, Gathered to);
+        /**
+         * Adds the light of the receivers at the end of a ray.
+         *
+         * @param reflectance RGB radiance that arrives for each unit of their irradiance / π
+         * @param direction in which it arrives, with the {@code cosine} to the normal
+         */
+        void add(GatherRays.End end, Vector3dc reflectance, Vector3dc direction, double cosine, Gathered to);
     }
 
-    /** Traces one ray of a receiver and adds its light and that of an emissive face. */
+    /**
+     * Traces one ray of a receiver and adds its light and that of an emissive face. Off surfaces on which no light is
+     * baked, as leaves, it goes on in a random direction.
+     *
+     * @param index of the ray in its group
+     * @param shift random bits of the group
+     */
     void addRay(
             GatherRays ray,
             Receivers.Spot spot,
@@ -332,17 +388,51 @@ public final class LightBake {
         Vector3d origin = lifted(place, normal);
         GatherRays.End end = ray.trace(origin, direction, random);
         to.add(0, direction, cosine, ray.arriving(), 1);
-        Vector3dc emitted = ray.emitted();
-        if (emitted.x() + emitted.y() + emitted.z() > 0) {
-            to.add(0, direction, cosine, emitted, ray.emittedWeight(cosine, origin));
+        if (luminance(ray.emitted()) > 0) {
+            to.add(0, direction, cosine, ray.emitted(), ray.emittedWeight(cosine, origin));
         }
-        if (end != GatherRays.End.OPEN) {
-            reflection.add(end, ray, direction, cosine, to);
+        Vector3d reflectance = new Vector3d(ray.reflectance());
+        for (int others = 0; end == GatherRays.End.OTHER && others < MOST_OTHERS; others++) {
+            end = scattered(ray, random, reflectance, direction, cosine, to);
+        }
+        if (end != GatherRays.End.OPEN && end != GatherRays.End.OTHER) {
+            reflection.add(end, reflectance, direction, cosine, to);
         }
         if (ray.hasEmissive()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }
+    }
+
+    /** Adds the light straight on a ray's end, then traces on from there; changes what the next end's light is worth. */
+    private GatherRays.End scattered(
+            GatherRays ray,
+            SplittableRandom random,
+            Vector3d reflectance,
+            Vector3dc direction,
+            double cosine,
+            Gathered to) {
+        Vec3 place = ray.place();
+        Vector3d normal = new Vector3d(ray.normal());
+        for (int light = hasSun ? -1 : 0; light < layerOfLamp.length; light++) {
+            Vector3d radiance = ray.direct(light, place, normal, random).mul(reflectance);
+            to.add(light < 0 ? 0 : layerOfLamp[light], direction, cosine, radiance, 1);
+        }
+        double u = random.nextDouble();
+        Vector3d onwards = direction(normal, u, random.nextDouble(), Math.sqrt(1 - u));
+        GatherRays.End end = ray.trace(lifted(place, normal), onwards, random);
+        to.add(
+                0,
+                direction,
+                cosine,
+                new Vector3d(ray.arriving()).add(ray.emitted()).mul(reflectance),
+                1);
+        reflectance.mul(ray.reflectance());
+        return end;
+    }
+
+    private static double luminance(Vector3dc rgb) {
+        return Gathered.luminance(rgb.x(), rgb.y(), rgb.z());
     }
 
     private static Vector3d lifted(Vec3 place, Vector3dc normal) {
@@ -385,11 +475,9 @@ public final class LightBake {
         }
         int[] corners = new int[Receivers.CORNERS];
         double[] weights = new double[Receivers.CORNERS];
-        Reflection reflection = (end, met, direction, cosine, sum) -> {
-            if (end != GatherRays.End.OTHER) {
-                receivers.around(end, met, corners, weights);
-                addReflected(met, direction, cosine, sum, balanced, corners, weights);
-            }
+        Reflection reflection = (end, reflectance, direction, cosine, sum) -> {
+            receivers.around(end, ray, corners, weights);
+            addReflected(reflectance, direction, cosine, sum, balanced, corners, weights);
         };
         int rays = 0;
         double error = Double.POSITIVE_INFINITY;
@@ -416,7 +504,7 @@ public final class LightBake {
         for (Gathered group : groups) {
             sum += group.luminance() / (rays * GROUPS);
         }
-        double asked = settings.error() * Math.max(sum, DIM * mean);
+        double asked = settings.error() * Math.max(DIM * mean, Math.min(sum, BRIGHT * mean));
         return asked == 0 ? 0 : standardError(groups, rays) / asked;
     }
 
@@ -434,14 +522,13 @@ public final class LightBake {
 
     /** Adds what the end of a ray reflects of the light of some receivers. */
     void addReflected(
-            GatherRays ray,
+            Vector3dc reflectance,
             Vector3dc direction,
             double cosine,
             Gathered to,
             float[] light,
             int[] corners,
             double[] weights) {
-        Vector3dc reflectance = ray.reflectance();
         for (int layer = 0; layer < names.size(); layer++) {
             double red = 0;
             double green = 0;
@@ -459,7 +546,7 @@ public final class LightBake {
     /** Returns the errors of the last {@link #gather}. */
     public Error error() {
         double[] sorted = IntStream.range(0, errors.length)
-                .filter(i -> errors[i] >= 0)
+                .filter(i -> errors[i] >= 0 && luminance(indirect, i) > 0)
                 .mapToDouble(i -> errors[i])
                 .sorted()
                 .toArray();

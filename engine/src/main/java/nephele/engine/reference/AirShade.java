@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Predicate;
 import nephele.engine.atmosphere.AirTables;
 import nephele.engine.atmosphere.LightScatteredOnce;
 import nephele.engine.level.Environment;
@@ -16,8 +17,8 @@ import nephele.engine.reference.sky.LevelClouds;
 import org.joml.Vector3d;
 
 /**
- * The light that the air in front of what an eye sees lacks in the shadows of clouds: in each part of the path one random
- * point tells how much of the light that is scattered once arrives there. Immutable.
+ * The light that the air in front of what an eye sees lacks in the shadows of clouds and walls: in each part of the path one
+ * random point tells how much of the light that is scattered once arrives there. Immutable.
  */
 final class AirShade {
     /** Beyond, the air adds no more light; as for what is drawn. */
@@ -27,23 +28,39 @@ final class AirShade {
 
     private final AirTables tables;
     private final ShaftLight light;
+    /** Those with shafts; {@code null} for none. */
     private final LevelClouds clouds;
 
-    private AirShade(AirTables tables, ShaftLight light, LevelClouds clouds) {
+    private final Predicate<Ray> walls;
+
+    private AirShade(AirTables tables, ShaftLight light, LevelClouds clouds, Predicate<Ray> walls) {
         this.tables = tables;
         this.light = light;
         this.clouds = clouds;
+        this.walls = walls;
     }
 
-    /** Returns the shade of an environment with the sun of its hour; empty if no cloud has shafts. */
-    static Optional<AirShade> of(Environment environment, Optional<LevelClouds> clouds) {
-        if (!ShaftLight.isIn(environment)
-                || clouds.isEmpty()
-                || clouds.get().shafts().isEmpty()) {
+    /** Returns the shade of clouds alone, with the sun of an environment's hour; empty if no cloud has shafts. */
+    static Optional<AirShade> ofClouds(Environment environment, Optional<LevelClouds> clouds) {
+        return !ShaftLight.isIn(environment)
+                        || clouds.isEmpty()
+                        || clouds.get().shafts().isEmpty()
+                ? Optional.empty()
+                : of(environment, clouds, ray -> false);
+    }
+
+    /**
+     * Returns the shade of clouds that have shafts, and of walls; empty without an atmosphere and its sun.
+     *
+     * @param walls whether any is on a ray towards sun or moon
+     */
+    static Optional<AirShade> of(Environment environment, Optional<LevelClouds> clouds, Predicate<Ray> walls) {
+        if (!(environment.sky() instanceof Sky.Atmosphere sky) || environment.sun() == null) {
             return Optional.empty();
         }
-        AirTables tables = AirCache.tables(Daylight.air((Sky.Atmosphere) environment.sky()));
-        return Optional.of(new AirShade(tables, ShaftLight.of(SunAndMoon.of(environment)), clouds.get()));
+        LevelClouds shading = clouds.filter(all -> !all.shafts().isEmpty()).orElse(null);
+        ShaftLight light = ShaftLight.of(SunAndMoon.of(environment));
+        return Optional.of(new AirShade(AirCache.tables(Daylight.air(sky)), light, shading, walls));
     }
 
     /**
@@ -63,12 +80,21 @@ final class AirShade {
         for (int part = 0; part < PARTS; part++) {
             double at = from + random.nextDouble() * (distances[part] - from);
             Ray ray = Ray.of(eye.addScaled(at, direction), light.towards());
-            double fraction = 1 - clouds.shafts().transmittance(ray, 0, clouds.reachMetres(ray), random);
-            taken = taken.addScaled(fraction, upTo[part].minus(before));
+            taken = taken.addScaled(fraction(ray, random), upTo[part].minus(before));
             before = upTo[part];
             from = distances[part];
         }
         return taken.times(light.irradiance()).scaled(light.strength()).toVector();
+    }
+
+    /** Returns a random number whose mean is the fraction of light that does not reach a ray's origin. */
+    private double fraction(Ray towardsLight, SplittableRandom random) {
+        if (walls.test(towardsLight)) {
+            return 1;
+        }
+        return clouds == null
+                ? 0
+                : 1 - clouds.shafts().transmittance(towardsLight, 0, clouds.reachMetres(towardsLight), random);
     }
 
     /** Returns the ends of the parts, nearer to each other near the eye. */

@@ -11,6 +11,9 @@ import org.joml.Vector3dc;
  * accessors refer to the last ray.
  */
 public final class GatherRays {
+    /** Up to here air takes and adds less than 1 % of the light; to integrate it takes longer than to trace the ray. */
+    private static final double AIRLESS_METRES = 100;
+
     private static final Vector3dc WHITE = new Vector3d(1);
 
     private final TracedLevel level;
@@ -19,8 +22,14 @@ public final class GatherRays {
     /** {@code null} without clouds. */
     private final CloudSight clouds;
 
+    /** {@code null} if each ray finds the sky itself. */
+    private final SkyPanorama panorama;
+
     private final Sources sources;
     private final Vector3d arriving = new Vector3d();
+    /** The share of the light of the ray's end that arrives. */
+    private final Vector3d passed = new Vector3d();
+
     private final Vector3d emitted = new Vector3d();
     private final Vector3d reflectance = new Vector3d();
     private final Vector3d towards = new Vector3d();
@@ -46,12 +55,13 @@ public final class GatherRays {
         OTHER
     }
 
-    GatherRays(TracedLevel level, Sources sources, Shafts.ShadowRays shadows) {
+    GatherRays(TracedLevel level, EyePath path, Sources sources, SkyPanorama panorama, Shafts.ShadowRays shadows) {
         this.level = level;
+        this.path = path;
+        this.panorama = panorama;
         this.sources = sources;
         this.shadows = shadows;
-        path = level.path(false);
-        clouds = sources == Sources.ALL ? level.cloudSight().orElse(null) : null;
+        clouds = sources == Sources.ALL && panorama == null ? level.cloudSight().orElse(null) : null;
     }
 
     /**
@@ -65,30 +75,39 @@ public final class GatherRays {
         emitted.zero();
         reflectance.zero();
         boolean isMet = path.trace(origin, direction, 0, Double.POSITIVE_INFINITY);
+        if (!isMet && panorama != null) {
+            arriving.set(panorama.at(path.direction())).mul(path.tint());
+            return End.OPEN;
+        }
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
-        PathAir air = level.air(cloud == null ? path.partsToEnd() : cloud.parts(), random);
-        arriving.set(sources == Sources.ALL ? air.added() : new Vector3d());
+        arriving.zero();
+        passed.set(path.tint());
+        if (cloud != null || path.metres() > AIRLESS_METRES) {
+            PathAir air = level.air(cloud == null ? path.partsToEnd() : cloud.parts(), random);
+            arriving.set(sources == Sources.ALL ? air.added() : new Vector3d());
+            passed.set(air.passed());
+        }
         if (cloud != null) {
-            arriving.add(clouds.radiance(cloud, random).mul(air.passed()));
+            arriving.add(clouds.radiance(cloud, random).mul(passed));
             return End.OPEN;
         }
         if (!isMet) {
             if (sources == Sources.ALL && level.light().isSkyLight()) {
-                arriving.add(level.sky(path.lastSegment()).mul(air.passed()));
+                arriving.add(level.sky(path.lastSegment()).mul(passed));
             }
             return End.OPEN;
         }
         place = path.ray().at(path.end());
         surface = level.surface(path, place, new Vector3d(path.direction()).normalize(-1))
                 .reciprocal();
-        emitted.set(surface.emission().toVector()).mul(air.passed());
+        emitted.set(surface.emission().toVector()).mul(passed);
         reflectance
                 .set(
                         surface.gloss() == null
                                 ? surface.albedo()
                                 : surface.gloss().diffuse())
                 .add(surface.gloss() == null ? new Vector3d() : surface.gloss().ambientSpecular())
-                .mul(air.passed());
+                .mul(passed);
         return level.endOf(path.item());
     }
 

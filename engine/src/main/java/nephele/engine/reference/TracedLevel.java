@@ -36,7 +36,10 @@ public final class TracedLevel {
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
+    /** For direct light. */
     private final Optional<AirShade> shade;
+
+    private final Optional<AirShade> shadeWithWalls;
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final EmissiveSurfaces emissive;
@@ -67,9 +70,13 @@ public final class TracedLevel {
         air = AirOfEnvironment.of(level.environment());
         fog = FogTransmittance.of(level.environment());
         clouds = LevelClouds.of(level.environment(), assets, seconds, sky);
-        shade = AirShade.of(level.environment(), clouds);
+        shade = AirShade.ofClouds(level.environment(), clouds);
         sunCastsShadow =
                 level.environment().sun() != null && level.environment().sun().castsShadow();
+        shadeWithWalls = AirShade.of(
+                level.environment(),
+                clouds,
+                ray -> sunCastsShadow && rays.blocker(ray, Double.POSITIVE_INFINITY, -1) >= 0);
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
         exits = new ExitLight(level);
@@ -114,9 +121,27 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
-    /** Returns rays of a bake for one thread. */
-    public GatherRays gatherRays(GatherRays.Sources sources) {
-        return new GatherRays(this, sources, new Shafts.ShadowRays(rays, shafts));
+    /**
+     * Returns rays of a bake for one thread.
+     *
+     * @param panorama the sky as one place sees it; {@code null} if each ray is to find the sky itself
+     */
+    public GatherRays gatherRays(GatherRays.Sources sources, SkyPanorama panorama) {
+        return new GatherRays(this, path(false), sources, panorama, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns rays that meet the sky and its clouds alone. */
+    GatherRays skyRays() {
+        var nothing = new TracedItems(StaticShapes.of(List.of()), List.of(), 0, List.of(), List.of());
+        EyePath open = new EyePath(nothing, Portals.NONE, FaceMaterials.NONE);
+        return new GatherRays(this, open, GatherRays.Sources.ALL, null, new Shafts.ShadowRays(rays, shafts));
+    }
+
+    /** Returns the sky as a place sees it; empty if it costs no more to ask the sky itself, or is no light. */
+    public Optional<SkyPanorama> panorama(Vec3 eye) {
+        return light.isSkyLight() && (air.isPresent() || clouds.isPresent())
+                ? Optional.of(SkyPanorama.of(this, eye))
+                : Optional.empty();
     }
 
     /** Returns the lamps that emit anything, in the order of the level. */
@@ -317,7 +342,7 @@ public final class TracedLevel {
 
     /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */
     PathAir air(List<EyePath.Segment> parts, SplittableRandom random) {
-        return PathAir.of(air, shade, parts, random);
+        return PathAir.of(air, shadeWithWalls, parts, random);
     }
 
     /**

@@ -67,9 +67,9 @@ record ReferenceCase(
                 picture(name + "-se.pfm.gz"));
     }
 
-    /** Returns how far light is followed in its picture: surfaces around clouds reflect none. */
+    /** Returns how far light is followed in its picture: in our own, surfaces around clouds reflect none. */
     LightTransport transport() {
-        return INTERIORS.contains(name) ? LightTransport.FULL : LightTransport.DIRECT;
+        return OWN.contains(name) ? LightTransport.DIRECT : LightTransport.FULL;
     }
 
     Pinhole eye() {
