@@ -95,6 +95,8 @@ public final class Proofs {
             new EyeCrossingsProof(),
             new DoorwayLightProof(24, 24, 1024),
             new EditsProof(10, 8, EditedTown::baked),
+            new EditsProof("edits", "", 10, 8, EditedTown::baked),
+            new EditsProof("edits-baked", " with baked light", 10, 8, EditedTown::bouncing),
             new CloudSlabsProof(),
             new CloudLawsProof(),
             MitsubaProof.clouds(),
