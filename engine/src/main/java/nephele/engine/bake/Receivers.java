@@ -20,8 +20,9 @@ import org.joml.Vector3dc;
 
 /**
  * The points at which light is baked, numbered: the texels of all charts, then the vertices of all models, then the
- * points of all terrains. A texel is a mean under the tent of its bilinear interpolation, a vertex and a point of a
- * terrain are single places.
+ * points of all terrains. A texel is a mean under the tent of its bilinear interpolation, where the tent leaves the chart
+ * also on the chart that goes on in the same plane, so that no seam shows; a vertex and a point of a terrain are single
+ * places.
  */
 final class Receivers {
     /** Most corners of an interpolation. */
@@ -29,6 +30,9 @@ final class Receivers {
 
     /** The places of a texel, along each of its sides. */
     private static final int SIDE = 4;
+
+    /** The height at which a place of a texel is in what stands on its face, but not in what ends in the same plane. */
+    static final double ABOVE_METRES = 1e-5;
 
     /** The height of the places of vertices and terrains: below the thickness of any object, above a curve's sagitta. */
     private static final double LIFT_METRES = 1e-3;
@@ -44,6 +48,7 @@ final class Receivers {
     private final LightMapLayout layout;
     private final StaticShapes statics;
     private final Occluders occluders;
+    private final CoplanarCharts coplanar;
     private final int[] firstOfChart;
     private final int[] firstOfModel;
     private final int[] firstOfGround;
@@ -63,6 +68,7 @@ final class Receivers {
         this.layout = layout;
         this.statics = statics;
         occluders = new Occluders(statics);
+        coplanar = new CoplanarCharts(layout, occluders);
         int next = 0;
         firstOfChart = new int[layout.charts().size()];
         for (int i = 0; i < firstOfChart.length; i++) {
@@ -236,11 +242,19 @@ final class Receivers {
         int index = before(firstOfChart, receiver);
         LightMapChart chart = layout.charts().get(index);
         int at = receiver - firstOfChart[index];
+        Vec3 normal = Vec3.of(chart.normal());
         List<Vec3> places = new ArrayList<>();
         for (int i = 0; i < SIDE * SIDE; i++) {
-            double column = mirrored(at % chart.columns() + TENT[i % SIDE], chart.columns() - 1);
-            double row = mirrored(at / chart.columns() + TENT[i / SIDE], chart.rows() - 1);
-            places.addAll(free(Vec3.of(chart.inside(column, row)), layout.brushOf()[index]));
+            double column = at % chart.columns() + TENT[i % SIDE];
+            double row = at / chart.columns() + TENT[i / SIDE];
+            double insideColumn = mirrored(column, chart.columns() - 1);
+            double insideRow = mirrored(row, chart.rows() - 1);
+            Vec3 inside = Vec3.of(chart.inside(insideColumn, insideRow));
+            boolean isOutside = column != insideColumn || row != insideRow;
+            Vec3 beyond = isOutside ? coplanar.beyond(index, inside, Vec3.of(chart.pointAt(column, row))) : null;
+            if (beyond != null || isFree(inside.addScaled(ABOVE_METRES, normal), layout.brushOf()[index])) {
+                places.add(beyond == null ? inside : beyond);
+            }
         }
         return new Spot(places, chart.normal());
     }
@@ -270,8 +284,11 @@ final class Receivers {
     }
 
     private List<Vec3> free(Vec3 place, int except) {
-        double[] p = {place.x(), place.y(), place.z()};
-        return occluders.isInside(p, except) ? List.of() : List.of(place);
+        return isFree(place, except) ? List.of(place) : List.of();
+    }
+
+    private boolean isFree(Vec3 place, int except) {
+        return !occluders.isInside(new double[] {place.x(), place.y(), place.z()}, except);
     }
 
     private static int before(int[] firsts, int receiver) {

@@ -34,6 +34,8 @@ import nephele.workshop.prove.geometry.SeparationProof;
 import nephele.workshop.prove.geometry.SkinProof;
 import nephele.workshop.prove.geometry.TerrainDetailProof;
 import nephele.workshop.prove.geometry.TerrainProof;
+import nephele.workshop.prove.picture.BakedLightProof;
+import nephele.workshop.prove.picture.LeaksProof;
 import nephele.workshop.prove.picture.MirrorsProof;
 import nephele.workshop.prove.picture.PortalIdsProof;
 import nephele.workshop.prove.picture.PortalLightProof;
@@ -76,6 +78,8 @@ public final class Proofs {
             new PortalLightProof(),
             new MirrorsProof(),
             new ShadowEdgesProof(),
+            new LeaksProof(),
+            new BakedLightProof(),
             new StandingOutProof(),
             new SceneCullingProof(),
             new RayProof(),
@@ -94,7 +98,6 @@ public final class Proofs {
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new DoorwayLightProof(24, 24, 1024),
-            new EditsProof(10, 8, EditedTown::baked),
             new EditsProof("edits", "", 10, 8, EditedTown::baked),
             new EditsProof("edits-baked", " with baked light", 10, 8, EditedTown::bouncing),
             new CloudSlabsProof(),

@@ -142,7 +142,7 @@ public final class SkyProbes {
     }
 
     /** Returns unit directions evenly over the sphere (Vogel 1979). */
-    static double[][] evenly(int count) {
+    public static double[][] evenly(int count) {
         double[][] directions = new double[count][];
         for (int i = 0; i < count; i++) {
             double y = 1 - (2 * i + 1.0) / count;

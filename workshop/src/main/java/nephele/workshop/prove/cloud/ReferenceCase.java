@@ -33,7 +33,7 @@ import nephele.lab.bake.TracedPictures;
  * @param radiance rows from the bottom, as {@code error}
  * @param error standard error of each value of {@code radiance}
  */
-record ReferenceCase(
+public record ReferenceCase(
         String name,
         PlacedLevel placed,
         TracedLevel level,
@@ -45,13 +45,13 @@ record ReferenceCase(
     static final List<String> OF_MITSUBA = List.of("sphere", "puff", "cumulus");
 
     /** Rooms without a cloud whose picture Mitsuba traced (integrator path, 4096 samples a pixel), written as levels. */
-    static final List<String> INTERIORS = List.of("cornell", "sunroom", "two-rooms", "furnace");
+    public static final List<String> INTERIORS = List.of("cornell", "sunroom", "two-rooms", "furnace");
 
     /** Cases whose picture our own tracer made. */
     static final List<String> OWN = List.of("low-sun", "inside", "deck");
 
     /** Reads a case from the resources of this package. */
-    static ReferenceCase named(String name) {
+    public static ReferenceCase named(String name) {
         byte[] json = bytes(name + ".json");
         Level level = LevelJson.read(name, OF_MITSUBA.contains(name) ? converted(name, json) : json);
         LinearPicture radiance = picture(name + ".pfm.gz");

@@ -81,8 +81,8 @@ public record LightMapChart(
         return clampedIntoOutline(pointAt(column, row), insetMetres());
     }
 
-    /** Returns the world position of a texel position in the plane. */
-    private Vector3d pointAt(double column, double row) {
+    /** Returns the world position of a texel position in the plane, which may be outside of the fragment. */
+    public Vector3d pointAt(double column, double row) {
         double s = minAcross + widthMetres * column / (columns - 1);
         double t = minUp + heightMetres * row / (rows - 1);
         Vec3 corner = outline.get(0);
