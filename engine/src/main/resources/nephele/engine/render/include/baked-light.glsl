@@ -9,14 +9,14 @@
 #define BAKED_MIRRORED
 #endif
 #ifdef LIGHT_DIRECTIONS
-#define MIRRORED_LAYER 2
+const int MIRRORED_LAYER = 2;
 #else
-#define MIRRORED_LAYER 1
+const int MIRRORED_LAYER = 1;
 #endif
 #ifdef MIRRORED_LIGHT
-#define LIGHT_LAYERS (MIRRORED_LAYER + 1)
+const int LIGHT_LAYERS = MIRRORED_LAYER + 1;
 #else
-#define LIGHT_LAYERS MIRRORED_LAYER
+const int LIGHT_LAYERS = MIRRORED_LAYER;
 #endif
 
 struct BakedLight {
