@@ -122,6 +122,11 @@ public record LightMaps(
         return Stream.of(solids, ground, dynamicObjects, gun).anyMatch(reads -> reads.has(target));
     }
 
+    /** Returns the number of layers of a texture of baked light: radiance, directions, what is mirrored. */
+    public int layers() {
+        return 1 + (bakes(Baked.DIRECTIONS) ? 1 : 0) + (bakes(Baked.MIRRORED) ? 1 : 0);
+    }
+
     /** Returns true if static surfaces take a part of light from the bake. */
     public boolean bakes(Baked part) {
         return baked.contains(part);

@@ -51,7 +51,7 @@ public final class SummedLight {
         scene = context.scene();
         LightMaps maps = context.request().lightMaps();
         BakedLight light = scene.light();
-        var key = new Key(new Identity(light.indirect()), maps.baked());
+        var key = new Key(new Identity(light.indirect()), maps.baked(), maps.layers());
         shared = context.share(Textures.class, key, () -> new Textures(context.gl(), light, key));
         boolean isWithoutModels = scene.solids().models().isEmpty();
         models = isWithoutModels ? null : context.own(BufferTexture.changingIntegers(context.gl(), "light of models"));
@@ -76,10 +76,10 @@ public final class SummedLight {
         }
         int[] known = scene.light().visibility().vertices(scene.solids().drawnModels());
         int[] vertices = scene.solids().modelVertices();
-        IntBuffer words = MemoryUtil.memAllocInt(shared.layers() * vertices.length);
+        IntBuffer words = MemoryUtil.memAllocInt(shared.layers * vertices.length);
         for (int vertex : vertices) {
             int number = known == null ? vertex : known[vertex];
-            for (int layer = 0; layer < shared.layers(); layer++) {
+            for (int layer = 0; layer < shared.layers; layer++) {
                 words.put(
                         number == SkyVisibility.NEW
                                 ? shared.ofNew[layer]
@@ -106,11 +106,12 @@ public final class SummedLight {
         return number == SkyVisibility.NEW ? shared.newGround : shared.grounds.get(number);
     }
 
-    private record Key(Identity light, Set<Baked> baked) {}
+    private record Key(Identity light, Set<Baked> baked, int layers) {}
 
     private static final class Textures implements GlObject {
         private final BakedLight light;
         private final Set<Baked> baked;
+        private final int layers;
         private final Texture texels;
         private final List<Texture> grounds = new ArrayList<>();
         /** A texel of what new surfaces look like. */
@@ -126,6 +127,7 @@ public final class SummedLight {
         private Textures(GlContext gl, BakedLight light, Key key) {
             this.light = light;
             baked = key.baked();
+            layers = key.layers();
             LightMapLayout layout = light.layout();
             texels = texture(gl, "baked light", layout.width(), layout.height());
             for (StaticShape.HeightGrid grid : light.statics().ground()) {
@@ -138,7 +140,7 @@ public final class SummedLight {
         }
 
         private Texture texture(GlContext gl, String name, int width, int height) {
-            var extent = new Texture.Extent(width, height, layers());
+            var extent = new Texture.Extent(width, height, layers);
             return new Texture(gl, name, Texture.Shape.ARRAY, PixelFormat.RGB9_E5, extent, Sampling.LINEAR_CLAMP);
         }
 
@@ -147,10 +149,6 @@ public final class SummedLight {
                 gains = now;
                 sum();
             }
-        }
-
-        private int layers() {
-            return 1 + (baked.contains(Baked.DIRECTIONS) ? 1 : 0) + (baked.contains(Baked.MIRRORED) ? 1 : 0);
         }
 
         private void sum() {

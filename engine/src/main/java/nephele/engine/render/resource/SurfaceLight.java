@@ -311,11 +311,14 @@ public final class SurfaceLight {
     }
 
     private Defines addStatic(Defines defines) {
-        return addContact(addLights(defines, maps.ground(), maps.baked()))
-                .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
-                .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
-                .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
-                .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
+        Defines live = addContact(addLights(defines, maps.ground(), maps.baked()));
+        return maps.bakes(Baked.BOUNCED)
+                ? live.with("BAKED_LIGHT")
+                        .with("LIGHT_LAYERS", maps.layers())
+                        .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
+                        .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
+                        .withIf(maps.bakes(Baked.SKY), "SKY_BAKED")
+                : live;
     }
 
     private Defines addContact(Defines defines) {

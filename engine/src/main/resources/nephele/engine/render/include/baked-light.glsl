@@ -1,22 +1,13 @@
 // Light that was baked: of each sample of a surface the radiance that a white one sends, and the mean direction of the light that
 // arrives. Twin: nephele.engine.scene.light.PackedLight. LIGHT_DIRECTIONS: the directions are read, where a normal differs from the
-// surface's own. MIRRORED_LIGHT: glossy surfaces mirror less than they reflect diffusely: not what comes straight from sun and lamps. MODEL_LIGHT: a sample for each vertex of a model's mesh, else a texture with radiance and directions in its layers.
+// surface's own. MIRRORED_LIGHT: glossy surfaces mirror less than they reflect diffusely: not what comes straight from sun and lamps; their
+// layer is the last of LIGHT_LAYERS. MODEL_LIGHT: a sample for each vertex of a model's mesh, else a texture with radiance and directions in its layers.
 
 #if defined(LIGHT_DIRECTIONS) && (defined(NORMAL_MAP) || defined(METALLIC_ROUGHNESS))
 #define BAKED_DIRECTION
 #endif
 #if defined(MIRRORED_LIGHT) && defined(METALLIC_ROUGHNESS)
 #define BAKED_MIRRORED
-#endif
-#ifdef LIGHT_DIRECTIONS
-#define MIRRORED_LAYER 2
-#else
-#define MIRRORED_LAYER 1
-#endif
-#ifdef MIRRORED_LIGHT
-#define LIGHT_LAYERS (MIRRORED_LAYER + 1)
-#else
-#define LIGHT_LAYERS MIRRORED_LAYER
 #endif
 
 struct BakedLight {
@@ -44,7 +35,7 @@ BakedLight bakedLightOfVertex(int vertex) {
     light.direction = 2.0 * unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex + 1).r) - 1.0;
 #endif
 #ifdef BAKED_MIRRORED
-    light.mirrored = unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex + MIRRORED_LAYER).r);
+    light.mirrored = unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex + LIGHT_LAYERS - 1).r);
 #endif
     return light;
 }
@@ -58,7 +49,7 @@ BakedLight bakedLightAt(vec2 coordinates) {
     light.direction = 2.0 * texture(bakedLight, vec3(coordinates, 1.0)).rgb - 1.0;
 #endif
 #ifdef BAKED_MIRRORED
-    light.mirrored = texture(bakedLight, vec3(coordinates, MIRRORED_LAYER)).rgb;
+    light.mirrored = texture(bakedLight, vec3(coordinates, LIGHT_LAYERS - 1)).rgb;
 #endif
     return light;
 }
