@@ -100,7 +100,7 @@ final class EditedLight implements AutoCloseable {
             key = null;
         } else if (isEdited || key == null) {
             key = CompletableFuture.supplyAsync(
-                    () -> LightKey.of(placed.level()).fileName(), work.soon());
+                    () -> LightKey.of(placed).fileName(), work.soon());
             key.whenComplete((name, failed) -> work.repaintSoon().run());
         }
         followed = placed;
@@ -265,8 +265,7 @@ final class EditedLight implements AutoCloseable {
                 });
                 IndirectLight fine = bake.light();
                 show(sky, fine);
-                LightCache.of(placed.assets())
-                        .store(LightKey.of(placed.level()).fileName(), StoredLight.file(placed, fine));
+                LightCache.of(placed.assets()).store(LightKey.of(placed).fileName(), StoredLight.file(placed, fine));
             } catch (CancellationException cancelled) {
                 return;
             } catch (RuntimeException | OutOfMemoryError failed) {
