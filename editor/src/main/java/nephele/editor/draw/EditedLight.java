@@ -99,8 +99,7 @@ final class EditedLight implements AutoCloseable {
         if (!bakes) {
             key = null;
         } else if (isEdited || key == null) {
-            key = CompletableFuture.supplyAsync(
-                    () -> LightKey.of(placed).fileName(), work.soon());
+            key = CompletableFuture.supplyAsync(() -> LightKey.of(placed).fileName(), work.soon());
             key.whenComplete((name, failed) -> work.repaintSoon().run());
         }
         followed = placed;
