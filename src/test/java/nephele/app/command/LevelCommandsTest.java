@@ -50,6 +50,21 @@ class LevelCommandsTest {
     }
 
     @Test
+    void anUnknownLayerIsNamedWithTheKnownOnes() throws IOException {
+        String lamp = "{\"id\": \"%s\", \"kind\": \"point\", \"position\": [0, 1, 0], "
+                + "\"radiantIntensity\": [1, 1, 1], \"layer\": \"%s\"}";
+        String lit = level("{" + HEAD + ", \"lights\": [" + lamp.formatted("a", "hall") + ", "
+                + lamp.formatted("b", "den") + "]}");
+        String out = folder.resolve("a.png").toString();
+        var unknown = Captured.run("render", lit, "--out", out, "--layer", "hall=0", "--layer", "attic=1");
+        assertEquals(ExitCode.USAGE.number(), unknown.exitCode());
+        assertTrue(unknown.err().contains("'attic'; its layers are hall, den"), unknown.err());
+        var negative = Captured.run("render", lit, "--out", out, "--layer", "den=-1");
+        assertTrue(
+                negative.err().contains("the gain of 'den' must be a number from 0 to 1000, not -1.0"), negative.err());
+    }
+
+    @Test
     void explainNamesThePathAndTheReason() {
         var lines = Captured.run("explain", WALKING).out().lines().toList();
         assertTrue(

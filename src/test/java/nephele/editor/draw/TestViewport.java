@@ -40,6 +40,16 @@ final class TestViewport implements AutoCloseable {
         return pixels();
     }
 
+    /** Draws a lit level whose bounced light is baked in the background. */
+    int[] baking(Level level, PaneCamera camera) {
+        ViewportFrame frame = TestFrames.frame(level, assets, camera, ViewMode.LIT, List.of());
+        drawing.draw(
+                new ViewportFrame(
+                        level, assets, frame.panes(), 0, frame.marks(), frame.look(), frame.isSettled(), true),
+                target);
+        return pixels();
+    }
+
     int[] pixels() {
         int[] fromBelow = new int[WIDTH * HEIGHT];
         target.readRgb(fromBelow);

@@ -140,6 +140,51 @@ class ViewportLevelGlTest {
         assertTrue(viewport.later.isEmpty(), "nothing has changed since");
     }
 
+    @Test
+    void afterAnEditTheFormerLightStaysUntilTheNewOneIsBaked() {
+        Material glow = new Material("glow", new Vec3(0, 0, 0), null, null, null, null, new Vec3(4, 4, 4), 1);
+        Solid floor = box("floor", new Vec3(0, -0.1, 0), new Vec3(1, 0.2, 1), false);
+        Solid lamp = lamp(0.4);
+        PerspectiveCamera camera = new PerspectiveCamera(new Vec3(0, 0.8, 1.2), 0, -30, 50);
+        Level level = level().with(List.of(glow), List.of(floor, lamp));
+        Level moved = level.with(level.materials(), List.of(floor, lamp(-0.4)));
+        int left = 50;
+        int right = 150;
+        int row = 85;
+        int[] dark = viewport.baking(level, camera);
+        runLater();
+        viewport.baking(level, camera);
+        runLater();
+        int[] bright = viewport.baking(level, camera);
+        assertTrue(
+                brightness(at(bright, right, row)) > brightness(at(dark, right, row)) + 60,
+                "the lamp lights the floor");
+        assertTrue(brightness(at(bright, right, row)) > brightness(at(bright, left, row)) + 30, "most beside it");
+        int[] edited = viewport.baking(moved, camera);
+        // The charts have other borders now.
+        assertEquals(brightness(at(bright, 100, row)), brightness(at(edited, 100, row)), 6);
+        viewport.later.poll().run();
+        viewport.baking(moved, camera);
+        assertEquals(1, viewport.later.size());
+        viewport.later.poll().run();
+        assertArrayEquals(edited, viewport.baking(moved, camera), "the sky alone changes nothing");
+        runLater();
+        int[] baked = viewport.baking(moved, camera);
+        assertTrue(
+                brightness(at(baked, left, row)) > brightness(at(baked, right, row)) + 30, "it lights the other side");
+    }
+
+    private static Solid lamp(double x) {
+        Vec3 centre = new Vec3(x, 0.1, -0.1);
+        return new Solid.Box("lamp", "glow", false, TextureMapping.WORLD, centre, new Vec3(0.1, 0.2, 0.2), Map.of());
+    }
+
+    private void runLater() {
+        while (!viewport.later.isEmpty()) {
+            viewport.later.poll().run();
+        }
+    }
+
     /** The placed level has the sun of its hour, and so is another object than the level of the frame. */
     @Test
     void aLevelUnderAnAtmosphereIsPlacedOnce() {

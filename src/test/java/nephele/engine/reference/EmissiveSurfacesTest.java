@@ -111,7 +111,7 @@ class EmissiveSurfacesTest {
             AssetSource assets = level.terrains().isEmpty() ? TestAssets.NONE : HILL;
             TracedLevel traced = TracedLevel.of(PlacedLevel.of(level, assets), ColourDecoding.SRGB);
             Pinhole eye = Traced.eye(new Vec3(0, 1.2, 4), new Vec3(0, 0, 1), 0.2);
-            Tracer tracer = traced.tracer(eye, LightTransport.FULL, estimation);
+            Tracer tracer = traced.tracer(eye, new TraceSettings(1, 1, PATHS, 1, 1, LightTransport.FULL), estimation);
             SampleSequence sequence = new SampleSequence(estimation.ordinal());
             double sum = 0;
             double squares = 0;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
@@ -13,6 +14,7 @@ import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.choice.LevelRenderer;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -23,6 +25,7 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.Terrain;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.TestTerrain;
+import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
@@ -41,6 +44,7 @@ import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.FormulaLight;
 import nephele.engine.scene.light.bake.IndirectLight.Course;
 import nephele.engine.scene.light.bake.IndirectLight.SkyLight;
+import nephele.engine.scene.light.bake.SkyVisibility;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -211,6 +215,29 @@ class BakedLightGlTest {
         }
     }
 
+    /** A lamp of a layer is dimmed with it, with a bake or without one, as if its intensity were written so. */
+    @Test
+    void liveLampsAreDimmedAsTheirLayer() {
+        Light lamp = new Light.Point("lamp", new Vec3(0, 0, 3), new Vec3(5, 3, 4), 10, false, "lamps");
+        Light other = new Light.Point("other", new Vec3(0, 1, 2), new Vec3(1, 1, 2), 10, false);
+        PlacedLevel placed = PlacedLevel.of(wall().light(lamp).light(other).level(), TestAssets.NONE);
+        PlacedLevel dimmed =
+                PlacedLevel.of(wall().light(lamp.dimmed(0.25)).light(other).level(), TestAssets.NONE);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            List<float[]> gained = pictures(
+                    offscreen, placed, null, Quality.HIGH, List.of(Map.of("lamps", 0.25), Map.of("lamps", 1.0)));
+            List<float[]> written = List.of(
+                    pictures(offscreen, dimmed, null, Quality.HIGH, List.of(Map.of()))
+                            .get(0),
+                    pictures(offscreen, placed, null, Quality.HIGH, List.of(Map.of()))
+                            .get(0));
+            for (int i = 0; i < 2; i++) {
+                assertArrayEquals(written.get(i), gained.get(i));
+            }
+            assertFalse(Arrays.equals(gained.get(0), gained.get(1)));
+        }
+    }
+
     @Test
     void aModelTakesTheLightOfItsVertices() {
         Level level = wall().model(
@@ -289,6 +316,48 @@ class BakedLightGlTest {
         }
     }
 
+    /** Without a sky a new solid looks like the nearest face that looks the same way, not black. */
+    @Test
+    void aNewSolidInARoomWithoutSkyIsLitLikeItsNeighbour() {
+        Level level = wall().box("wall", new Vec3(0, -9, 0), new Vec3(5, 1, 5)).level();
+        List<Solid> more = new ArrayList<>(level.solids());
+        more.add(new Solid.Box(
+                "new", "wall", false, TextureMapping.WORLD, new Vec3(1, 0, 0.2), new Vec3(1, 1, 0.4), Map.of()));
+        PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+        BakedLight light = light(level, TestAssets.NONE, SkyLight.BAKED, LINEAR);
+        BakedLight dark = new BakedLight(SkyVisibility.even(light.statics(), false), light.indirect());
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            Renderer renderer = LevelRenderer.load(
+                    offscreen.gl, Scene.of(placed, dark), RenderSettings.of(Output.HDR, Quality.HIGH));
+            PlacedLevel edited = placed.edited(level.with(level.materials(), more));
+            renderer = LevelRenderer.edited(renderer, renderer.scene().edited(edited, null));
+            renderer.draw(view(offscreen), offscreen.picture);
+            int pixel = SIZE * SIZE / 2 + 3 * SIZE / 4;
+            Vec3 ray = offscreen.ray(view(offscreen), pixel);
+            Vec3 place = new Vec3(0, 0, 2).addScaled(-1.6 / ray.z(), ray);
+            assertRadiance(LINEAR.apply(place).scaled(ALBEDO), renderer.readRadiance(), pixel, 0.01);
+            renderer.close();
+        }
+    }
+
+    /** Lightning needs the sky's visibility even where the sky's light is baked; between flashes it changes nothing. */
+    @Test
+    void lightningBesideABakedSkyChangesNothingBetweenFlashes() {
+        Sky even = new Sky.Constant(TestLevel.grey(0.25));
+        Environment.Lightning rare = new Environment.Lightning(
+                1e-3, 0, new Vec3(0, 900, -9000), new Vec3(900, 300, 900), 0, 0.6, TestLevel.grey(1e6));
+        TestLevel skylit = wall().skyLight().sky(even);
+        Level calm = skylit.level();
+        Level stormy = skylit.lightning(rare).level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            float[] without =
+                    picture(offscreen, calm, light(calm, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
+            float[] with =
+                    picture(offscreen, stormy, light(stormy, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
+            assertArrayEquals(without, with, 1e-6f);
+        }
+    }
+
     /** Light straight from sun and lamps is drawn once: live, or from the bake without any shadow map. */
     @Test
     void directLightIsLiveOrBaked() {
@@ -314,9 +383,41 @@ class BakedLightGlTest {
         assertEquals(plan(placed, null, Quality.HIGH), plan(placed, null, baked));
     }
 
+    /** A mirror-like floor under a baked lamp shows what is around it, not the lamp's light as if it came from everywhere. */
+    @Test
+    void glossMirrorsNoBakedSun() {
+        Level level = wall(new Material("wall", TestLevel.grey(1), null, 0.1, 1.0, null, Vec3.ZERO, 1))
+                .model(
+                        "box_1_1.3d",
+                        "wall",
+                        new TransformStep.Translate(new Vec3(0, -1.5, 0.25)),
+                        new TransformStep.Scale(new Vec3(5, 1, 0.5)))
+                .castingSun(new Vec3(0, 0.6, 0.8), 2)
+                .level();
+        PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+        BakedLight light = new FormulaLight(placed.statics())
+                .layer("", Course.INDIRECT, p -> TestLevel.grey(0.25), Vec3.ZERO)
+                .layer("", Course.DIRECT, p -> TestLevel.grey(8), Vec3.ZERO)
+                .baked(SkyLight.BAKED);
+        Quality baked = Quality.HIGH.with("directLight", DirectLight.BAKED);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (LightDirections directions : LightDirections.values()) {
+                float[] picture = picture(offscreen, level, light, baked.with("lightDirections", directions));
+                for (int i = 0; i < 3 * SIZE * SIZE; i++) {
+                    assertEquals(0.25, picture[i], 0.01, directions + ", value " + i);
+                }
+            }
+        }
+    }
+
     private static List<String> plan(PlacedLevel placed, BakedLight light, Quality quality) {
-        var request =
-                FrameRequest.of(placed.level(), placed.statics(), light, Output.HDR, quality, CharacterPresence.NEVER);
+        var request = FrameRequest.of(
+                placed.level(),
+                placed.statics(),
+                light == null ? null : light.indirect(),
+                Output.HDR,
+                quality,
+                CharacterPresence.NEVER);
         return FramePlan.of(request).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())

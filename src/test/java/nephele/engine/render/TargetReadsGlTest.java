@@ -75,7 +75,7 @@ class TargetReadsGlTest {
                 Set<Target> written = EnumSet.noneOf(Target.class);
                 Scene scene = Scene.of(level, TestAssets.NONE);
                 FrameRequest request =
-                        FrameRequest.of(level, scene.statics(), scene.light(), Output.HDR, Quality.LOW, character);
+                        FrameRequest.of(level, scene.statics(), null, Output.HDR, Quality.LOW, character);
                 try (OwnedObjects owned = new OwnedObjects(offscreen.gl)) {
                     var resources = new RenderResources(owned, LevelRenderer.drawn(owned, scene), request, null);
                     for (FramePlan.Step step : FramePlan.of(request).steps()) {

@@ -73,7 +73,7 @@ final class BakeCommand implements Command {
             names = "--light-error",
             paramLabel = "PERCENT",
             description =
-                    "Standard error at which a point of a surface is done, of its light (default: 2); bakes again.")
+                    "Standard error at which a point of a surface is done, of its light (usually 3); bakes again.")
     @OptionRange.Decimal(least = 0.1, most = 50, unit = "percent")
     private Double lightError;
 

@@ -12,6 +12,7 @@ import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.StoredLight;
 import nephele.engine.sim.state.Assist;
 import nephele.host.draw.QualityChoice;
 import nephele.host.named.LevelName;
@@ -31,7 +32,12 @@ final class ExplainCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         var opened = new LevelName(level).open();
-        FramePlan.of(FrameRequest.of(opened.placed(), QualityChoice.defaultOutput(opened.level())))
+        boolean hasSurfaces = LightRequirements.hasSurfaces(opened.level());
+        StoredLight light = hasSurfaces ? LevelLight.stored(opened.placed()) : null;
+        FramePlan.of(FrameRequest.of(
+                        opened.placed(),
+                        light == null ? null : light.light(),
+                        QualityChoice.defaultOutput(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
         PortalGun gun = opened.level().portalGun();
@@ -42,8 +48,8 @@ final class ExplainCommand implements Command {
                                     ? ": required by portalGun: its portals slide down to floors"
                                     : ": not required: portalGun.toFloor is false"));
         }
-        if (LightRequirements.hasSurfaces(opened.level())) {
-            terminal.out().println(LevelLight.stored(opened.placed()).line(level));
+        if (light != null) {
+            terminal.out().println(light.line(level));
         }
         CloudExplanation.lines(opened.placed()).forEach(terminal.out()::println);
         guidance(opened.level()).forEach(terminal.out()::println);

@@ -2,7 +2,10 @@ package nephele.app.command;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import nephele.engine.level.Billboards;
@@ -10,6 +13,7 @@ import nephele.engine.level.Cloud;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.appearance.WeatherCourse;
@@ -36,6 +40,8 @@ import picocli.CommandLine.Parameters;
 /** Saves one offscreen picture: drawn as the game draws it, or traced by the reference path tracer. */
 @picocli.CommandLine.Command
 final class RenderCommand implements Command {
+    private static final int MOST_GAIN = 1000;
+
     @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file.")
     private String level;
 
@@ -76,6 +82,12 @@ final class RenderCommand implements Command {
     @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
     private CloudTechnique technique;
 
+    @Option(
+            names = "--layer",
+            paramLabel = "NAME=GAIN",
+            description = "Dim the lights of a layer, and what they have lit: 0 for dark. May be repeated.")
+    private Map<String, Double> gains = Map.of();
+
     @Mixin
     private ReferenceOptions reference;
 
@@ -95,13 +107,14 @@ final class RenderCommand implements Command {
             return ExitCode.DONE;
         }
         var opened = byTechnique(new LevelName(level).open());
+        checkLayers(opened);
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = viewpoint(opened);
         ignored(opened).ifPresent(terminal.err()::println);
         picture.unmetered(opened).ifPresent(terminal.err()::println);
         if (reference.isAsked()) {
             var viewed = reference.exposed(
-                    new ReferenceOptions.ViewedLevel(opened, viewpoint.apply(0), timeSeconds), picture);
+                    new ReferenceOptions.ViewedLevel(dimmed(opened), viewpoint.apply(0), timeSeconds), picture);
             reference.trace(viewed, picture, out, radiance -> save(radiance, viewed.opened()), terminal);
             return ExitCode.DONE;
         }
@@ -110,6 +123,7 @@ final class RenderCommand implements Command {
                 var renderer = opened.reporting(() -> renderer(opened, gl, terminal))) {
             var state = FrameState.atStart(renderer.scene().level());
             state.seconds(timeSeconds);
+            state.layerGains(gains);
             observe(renderer, state);
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.apply(0), state, target);
@@ -127,6 +141,34 @@ final class RenderCommand implements Command {
         if (observer != null && state.observer() != null) {
             state.observer(observer.at(state.observer().centre()));
         }
+    }
+
+    private void checkLayers(OpenedLevel opened) {
+        List<String> known = opened.level().lights().stream()
+                .map(Light::layer)
+                .filter(Objects::nonNull)
+                .distinct()
+                .toList();
+        for (var entry : gains.entrySet()) {
+            if (!known.contains(entry.getKey())) {
+                throw CommandFailure.usage("--layer: no light of this level is in a layer '" + entry.getKey() + "'; "
+                        + (known.isEmpty() ? "it has no layers" : "its layers are " + String.join(", ", known)));
+            }
+            if (!(entry.getValue() >= 0 && entry.getValue() <= MOST_GAIN)) {
+                throw CommandFailure.usage("--layer: the gain of '" + entry.getKey() + "' must be a number from 0 to "
+                        + MOST_GAIN + ", not " + entry.getValue());
+            }
+        }
+    }
+
+    /** Returns the level with its lights as bright as the gains of their layers make them. */
+    private OpenedLevel dimmed(OpenedLevel opened) {
+        Level written = opened.level();
+        List<Light> lights = written.lights().stream()
+                .map(light -> light.dimmed(light.layer() == null ? 1 : gains.getOrDefault(light.layer(), 1.0)))
+                .toList();
+        return new OpenedLevel(new LevelFile.Opened(
+                opened.file(), written.with(written.environment(), lights), opened.assets(), opened.notice()));
     }
 
     private OpenedLevel byTechnique(OpenedLevel opened) {

@@ -316,6 +316,7 @@ public enum Phrase {
     STEP_PORTAL_DEPTH("portal.depth", "fundo dos portais", "fundo dos portais"),
     STEP_PORTAL_RIM("portal.rim", "bordas dos portais", "aros dos portais"),
     STEP_PORTAL_UNFILLED("portal.unfilled", "portais sem par", "portais sem par"),
+    STEP_SHADOW_CONTACT("shadow.contact", "sombra de contato", "sombra de contacto"),
     STEP_SHADOW_DYNAMIC("shadow.dynamic", "sombra dos corpos", "sombra dos corpos"),
     STEP_SHADOW_LIGHTS("shadow.lights", "sombra das luzes", "sombra das luzes"),
     STEP_SHADOW_SUN("shadow.sun", "sombra do sol", "sombra do sol"),

@@ -21,6 +21,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.reference.VisibleSurface;
 import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.scene.light.LevelLight;
 import nephele.host.draw.QualityChoice;
 
 /**
@@ -52,7 +53,7 @@ public record PixelExplanation(List<String> lines) {
             addLight(lines, language, exposed.level(), traced, eye, pixel);
             lines.add("");
             lines.add(ProvingText.PASSES.in(language));
-            FramePlan.of(FrameRequest.of(placed, QualityChoice.defaultOutput(level)))
+            FramePlan.of(FrameRequest.of(placed, LevelLight.stored(placed).light(), QualityChoice.defaultOutput(level)))
                     .explain()
                     .forEach(line -> lines.add("  " + line));
         } catch (AssetException | IllegalArgumentException unusable) {

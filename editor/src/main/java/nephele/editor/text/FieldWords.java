@@ -98,6 +98,7 @@ public final class FieldWords {
             word("kind", "Kind", "Tipo", "Tipo"),
             word("landmark", "Landmark", "Marco", "Marco"),
             word("latitudeDegrees", "Latitude", "Latitude", "Latitude"),
+            word("layer", "Layer", "Camada", "Camada"),
             word("layerMap", "Painted layers", "Camadas pintadas", "Camadas pintadas"),
             word("layers", "Layers", "Camadas", "Camadas"),
             word("lightning", "Lightning", "Relâmpagos", "Relâmpagos"),

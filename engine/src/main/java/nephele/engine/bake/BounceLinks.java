@@ -13,7 +13,12 @@ import org.joml.Vector3dc;
  * until it does not change (Jacobi's iteration of the radiosity equation), without a ray more.
  */
 final class BounceLinks {
-    private static final int RAYS = 64;
+    private static final int MOST_RAYS = 64;
+
+    private static final int LEAST_RAYS = 16;
+
+    /** The number of all links, unless that is too few or too many for a receiver. */
+    private static final int LINKS = 4_000_000;
 
     /** The change of all light, as a share of it, at which it is balanced. */
     private static final double BALANCED = 1e-5;
@@ -29,6 +34,9 @@ final class BounceLinks {
     private final LightBake bake;
     private final Receivers receivers;
     private final int layers;
+    /** Rays of each receiver. */
+    private final int rays;
+
     private final int[] ends;
     private final short[] reflectances;
     /** The light that comes from elsewhere than from receivers, or is reflected once from direct light. */
@@ -41,7 +49,8 @@ final class BounceLinks {
         this.bake = bake;
         receivers = bake.allReceivers();
         layers = bake.layers();
-        ends = new int[RAYS * receivers.count()];
+        rays = Math.max(LEAST_RAYS, Math.min(LINKS / Math.max(1, receivers.count()), MOST_RAYS));
+        ends = new int[rays * receivers.count()];
         reflectances = new short[CHANNELS * ends.length];
         first = new float[CHANNELS * layers * receivers.count()];
     }
@@ -70,15 +79,15 @@ final class BounceLinks {
         float[] values = new float[Gathered.VALUES * layers];
         for (int receiver = LightBake.firstOf(block); receiver < bake.lastOf(block); receiver++) {
             Receivers.Spot spot = receivers.spot(receiver);
-            Arrays.fill(ends, RAYS * receiver, RAYS * (receiver + 1), -1);
+            Arrays.fill(ends, rays * receiver, rays * (receiver + 1), -1);
             if (spot.places().isEmpty()) {
                 continue;
             }
             SplittableRandom random = new SplittableRandom(Hash64.combine(receiver, 0));
             long shift = random.nextLong();
             Gathered sum = new Gathered(layers);
-            int link = RAYS * receiver;
-            for (int i = 0; i < RAYS; i++) {
+            int link = rays * receiver;
+            for (int i = 0; i < rays; i++) {
                 int at = link + i;
                 bake.addRay(ray, spot, 0, i, random, shift, sum, (end, reflectance, direction, cosine, to) -> {
                     receivers.around(end, ray, corners, weights);
@@ -88,7 +97,7 @@ final class BounceLinks {
                 });
             }
             int at = receiver * Gathered.VALUES * layers;
-            sum.write(1.0 / RAYS, values, 0);
+            sum.write(1.0 / rays, values, 0);
             System.arraycopy(values, 0, bake.indirect(), at, values.length);
             for (int layer = 0; layer < layers; layer++) {
                 System.arraycopy(
@@ -137,7 +146,7 @@ final class BounceLinks {
         float red = 0;
         float green = 0;
         float blue = 0;
-        for (int link = RAYS * receiver; link < RAYS * (receiver + 1); link++) {
+        for (int link = rays * receiver; link < rays * (receiver + 1); link++) {
             if (ends[link] >= 0) {
                 int from = CHANNELS * (ends[link] * layers + layer);
                 int by = CHANNELS * link;
@@ -146,7 +155,7 @@ final class BounceLinks {
                 blue += radiance[from + 2] * (reflectances[by + 2] & 0xffff);
             }
         }
-        float mean = (float) (1 / (ONE * RAYS));
+        float mean = (float) (1 / (ONE * rays));
         int at = CHANNELS * (receiver * layers + layer);
         next[at] = first[at] + red * mean;
         next[at + 1] = first[at + 1] + green * mean;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -137,7 +138,10 @@ public final class LightBake {
         receivers = new Receivers(layout, statics);
         List<Light> lamps = traced.lamps();
         names = new ArrayList<>(List.of(""));
-        layerOfLamp = new int[lamps.size()];
+        lamps.stream().map(Light::layer).filter(Objects::nonNull).distinct().forEach(names::add);
+        layerOfLamp = lamps.stream()
+                .mapToInt(lamp -> lamp.layer() == null ? 0 : names.indexOf(lamp.layer()))
+                .toArray();
         int values = Gathered.VALUES * names.size() * receivers.count();
         direct = new float[values];
         indirect = new float[values];

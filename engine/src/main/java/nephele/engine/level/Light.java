@@ -24,6 +24,17 @@ public sealed interface Light {
 
     boolean castsShadow();
 
+    /** Returns the name of the layer of lights that are dimmed and switched together; {@code null} for none. */
+    String layer();
+
+    /** Returns this light with its intensity multiplied by a gain. */
+    default Light dimmed(double gain) {
+        Vec3 intensity = radiantIntensity().scaled(gain);
+        return this instanceof Spot spot
+                ? RecordCopy.with(spot, "radiantIntensity", intensity)
+                : RecordCopy.with((Point) this, "radiantIntensity", intensity);
+    }
+
     /**
      * Returns the number of depth pictures of its shadow: six faces of a cube, or one along the axis of a spot up to
      * 80° wide.
@@ -39,8 +50,14 @@ public sealed interface Light {
             @Written(required = true, prototype = "[20, 19, 17]") @Range(min = 0, max = 1e9) Vec3 radiantIntensity,
             @Written(absent = "20", spatial = Spatial.LENGTH) @Range(min = 1e-3, max = 1e7, shape = Range.Shape.OR_ZERO)
                     double rangeMetres,
-            @Written(absent = "true") boolean castsShadow)
-            implements Light {}
+            @Written(absent = "true") boolean castsShadow,
+            @Written(text = TextKind.ID) String layer)
+            implements Light {
+        /** Makes a light of no layer. */
+        public Point(String id, Vec3 position, Vec3 radiantIntensity, double rangeMetres, boolean castsShadow) {
+            this(id, position, radiantIntensity, rangeMetres, castsShadow, null);
+        }
+    }
 
     /** {@code "kind": "spot"}; cone angles are half angles from the axis, with full intensity inside the inner cone. */
     record Spot(
@@ -54,6 +71,29 @@ public sealed interface Light {
                     double rangeMetres,
             @Written(absent = "20") @Range(min = 0, max = 90) double innerConeDegrees,
             @Written(absent = "30") @Range(min = 0.1, max = 90) double outerConeDegrees,
-            @Written(absent = "true") boolean castsShadow)
-            implements Light {}
+            @Written(absent = "true") boolean castsShadow,
+            @Written(text = TextKind.ID) String layer)
+            implements Light {
+        /** Makes a light of no layer. */
+        public Spot(
+                String id,
+                Vec3 position,
+                Vec3 direction,
+                Vec3 radiantIntensity,
+                double rangeMetres,
+                double innerConeDegrees,
+                double outerConeDegrees,
+                boolean castsShadow) {
+            this(
+                    id,
+                    position,
+                    direction,
+                    radiantIntensity,
+                    rangeMetres,
+                    innerConeDegrees,
+                    outerConeDegrees,
+                    castsShadow,
+                    null);
+        }
+    }
 }

@@ -1,7 +1,11 @@
 package nephele.engine.reference;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
+import nephele.engine.cloud.HenyeyGreenstein;
+import nephele.engine.cloud.PhaseFunction;
 import nephele.engine.cloud.field.CloudMedium;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Ray;
@@ -14,22 +18,25 @@ import org.joml.Vector3dc;
 
 /**
  * The light of sun, moon and lamps that clouds scatter towards a path, shaded by walls and clouds. Near a lamp its light
- * is found on the path before a collision, at distances that are likely where the lamp is near (Kulla and Fajardo 2012,
- * "Importance Sampling Techniques for Path Tracing in Participating Media"); else at the collision. How much each of both
- * counts depends on the place alone, so their sum has the right mean. Use one per thread.
+ * is found on the path before a collision, at {@link LampDistances}; else at the collision. How much each of both counts
+ * depends on the place alone, so their sum has the right mean. Use one per thread.
  */
 final class CloudScattering {
-    private static final double LEAST_METRES = StrictMath.sqrt(PunctualLight.MIN_SQUARE_METRES);
-
     private final CloudMedia media;
     private final Surroundings around;
     private final List<PunctualLight> lamps;
+    /** Those of the clouds around the lamps; without direction where none is. */
+    private final Map<PunctualLight, PhaseFunction> phases = new HashMap<>();
 
     /** @param around walls and portals that stop straight light, and the light from outside */
     CloudScattering(CloudMedia media, Surroundings around, List<PunctualLight> lamps) {
         this.media = media;
         this.around = around;
         this.lamps = lamps;
+        for (PunctualLight lamp : lamps) {
+            phases.put(lamp, new HenyeyGreenstein(0));
+            media.at(lamp.position()).forEach(medium -> phases.put(lamp, medium.phase()));
+        }
     }
 
     /** The fraction of light that arrives from a place on a part of a path, for each channel. */
@@ -118,29 +125,19 @@ final class CloudScattering {
     /** Adds the light of a lamp at one random place of a part of a path. */
     private void addAlong(
             EyePath.Segment part, PunctualLight lamp, Attenuation before, SplittableRandom random, Vector3d sum) {
-        double middle = lamp.position().minus(part.origin()).dot(part.direction());
-        double off = lamp.position()
-                .minus(part.origin().addScaled(middle, part.direction()))
-                .length();
-        double half = Math.sqrt(Math.max(0, lamp.rangeMetres() * lamp.rangeMetres() - off * off));
-        double from = Math.max(0, middle - half);
-        double to = Math.min(part.metres(), middle + half);
-        if (!(from < to)) {
+        LampDistances distances = new LampDistances(part, lamp, phases.get(lamp));
+        if (distances.isEmpty()) {
             return;
         }
-        double height = Math.max(off, LEAST_METRES);
-        double first = StrictMath.atan((from - middle) / height);
-        double angle = StrictMath.atan((to - middle) / height) - first;
-        double beyond = height * StrictMath.tan(first + random.nextDouble() * angle);
-        double metres = Math.min(Math.max(middle + beyond, from), to);
-        double inverseDensity = angle * (height * height + beyond * beyond) / height;
+        distances.choose(random);
+        double metres = distances.metres();
         Vec3 place = part.origin().addScaled(metres, part.direction());
         for (CloudMedium medium : media.at(place)) {
             var at = new PathVertex.InCloud(place, part.direction(), medium);
             Vector3d light = scattered(lamp, at, random);
             if (isLight(light)) {
-                sum.add(light.mul(nearness(lamp, at) * perMetre(at) * inverseDensity)
-                        .mul(before.of(part, metres)));
+                light.mul(nearness(lamp, at) * perMetre(at) / distances.perMetre());
+                sum.add(light.mul(before.of(part, metres)));
             }
         }
     }

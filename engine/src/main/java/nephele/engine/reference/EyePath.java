@@ -94,6 +94,19 @@ final class EyePath {
      * @return true if there is one between {@code near} and {@code far}
      */
     boolean trace(Vector3dc eye, Vector3dc along, double near, double far) {
+        return trace(eye, along, near, far, -1);
+    }
+
+    /**
+     * Traces on from a vertex of a path of light. Up to its first portal or mirror it passes the vertex's own item if
+     * that is convex, as shadow rays do: a billboard, which turns to each ray, would else be met by half of its own.
+     */
+    boolean leave(PathVertex vertex, Vector3dc unit) {
+        int own = vertex instanceof SurfacePoint surface ? surfaces.withoutOwnShade(surface.item()) : -1;
+        return trace(vertex.rayOrigin(), unit, 0, Double.POSITIVE_INFINITY, own);
+    }
+
+    private boolean trace(Vector3dc eye, Vector3dc along, double near, double far, int except) {
         origin.set(eye);
         direction.set(along);
         double length = along.length();
@@ -109,7 +122,8 @@ final class EyePath {
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
             ray = TracedItems.ray(origin, direction);
             double left = far - walked;
-            boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, likely, hit);
+            boolean isMet =
+                    surfaces.nearest(ray, Math.max(near - walked, 0), left, crossings == 0 ? except : -1, likely, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
             boolean isCrossing = crossing.find(portals, origin, direction, STRAIGHT, free);
             addSegment(isCrossing ? crossing.seconds() : isMet ? hit.distance() : left, walked, length);
@@ -151,10 +165,15 @@ final class EyePath {
         Vector3d before = new Vector3d(tint);
         tint.mul(solids.mirrorTint(hit.item(), face).toVector());
         reflected.add(new Reflected(lastSegment(), before.sub(tint)));
-        pathHash = Hash64.combine(Hash64.combine(pathHash, ~hit.item()), face);
+        pathHash = hashOfMirror(pathHash, hit.item(), face);
         origin.set(ray.at(hit.distance()).toVector());
         new Reflection(Vec3.ZERO, solids.normal(hit.item(), face)).direction(direction);
         return true;
+    }
+
+    /** Returns the hash of a path that goes on to a mirror. */
+    static long hashOfMirror(long hash, int solid, int face) {
+        return Hash64.combine(Hash64.combine(hash, ~solid), face);
     }
 
     /** Returns the product of the tints of the mirrors on the path, linear RGB. */

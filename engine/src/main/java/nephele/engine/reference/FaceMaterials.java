@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.appearance.FaceTexture;
+import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.MaterialTextures.Bare;
 import nephele.engine.reference.MaterialTextures.Skin;
@@ -52,6 +53,23 @@ final class FaceMaterials {
     /** Returns true if a face of a solid is a mirror. */
     boolean isMirror(int solid, int face) {
         return faces[solid][face].skin.material().mirror();
+    }
+
+    /** A face that is a mirror. */
+    record Mirror(int solid, int face, List<Vec3> polygon, Plane plane) {}
+
+    /** Returns all mirrors. */
+    List<Mirror> mirrors() {
+        List<Mirror> mirrors = new ArrayList<>();
+        for (int solid = 0; solid < faces.length; solid++) {
+            for (int face = 0; face < faces[solid].length; face++) {
+                if (isMirror(solid, face)) {
+                    List<Vec3> polygon = faces[solid][face].polygon;
+                    mirrors.add(new Mirror(solid, face, polygon, Plane.through(normal(solid, face), polygon.get(0))));
+                }
+            }
+        }
+        return mirrors;
     }
 
     /** Returns the factor of a mirror on radiance, linear RGB. */

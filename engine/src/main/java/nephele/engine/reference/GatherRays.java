@@ -11,8 +11,11 @@ import org.joml.Vector3dc;
  * accessors refer to the last ray.
  */
 public final class GatherRays {
-    /** Up to here air takes and adds less than 1 % of the light; to integrate it takes longer than to trace the ray. */
-    private static final double AIRLESS_METRES = 100;
+    /** Up to here air gives about as much light as it takes; to integrate it takes longer than to trace the ray. */
+    private static final double AIRLESS_METRES = 2000;
+
+    /** The share of a source's radiance, before shadows, that is worth a shadow ray each time. */
+    private static final double SURE_SHARE = 0.01;
 
     private static final Vector3dc WHITE = new Vector3d(1);
 
@@ -93,7 +96,7 @@ public final class GatherRays {
         }
         if (!isMet) {
             if (sources == Sources.ALL && level.light().isSkyLight()) {
-                arriving.add(level.sky(path.lastSegment()).mul(passed));
+                arriving.add(level.skyOfPath(path.lastSegment(), random).mul(passed));
             }
             return End.OPEN;
         }
@@ -192,13 +195,18 @@ public final class GatherRays {
         towards.div(distance);
         double there = -towards.dot(source.normal().toVector());
         double here = normal.dot(towards);
-        if (there <= 0 || here <= 0 || shadows.isBlockedWithin(origin, towards, distance, -1)) {
+        if (there <= 0 || here <= 0) {
             return new Vector3d();
         }
         double density = source.density() * distance * distance / there;
         double ratio = here / Math.PI / density;
-        double weight = 1 / (1 + ratio * ratio);
-        return source.radiance().toVector().mul(weight * here / (Math.PI * density));
+        double share = here / (Math.PI * density) / (1 + ratio * ratio);
+        // Most surfaces of a large level are far from most lamps: few of their shadow rays are worth their cost.
+        double survival = Math.min(1, share / SURE_SHARE);
+        if (random.nextDouble() >= survival || shadows.isBlockedWithin(origin, towards, distance, -1)) {
+            return new Vector3d();
+        }
+        return source.radiance().toVector().mul(share / survival);
     }
 
     /** Returns the weight of {@link #emitted} beside {@link #emission}; the ray's density was its cosine / π. */

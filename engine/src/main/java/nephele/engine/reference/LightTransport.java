@@ -8,7 +8,7 @@ package nephele.engine.reference;
  */
 public record LightTransport(int bounces, boolean passesPortals) {
     /** Raise it whenever a picture of light that bounces changes while none of direct light does. */
-    private static final int REVISION = 4;
+    private static final int REVISION = 5;
 
     /** Light straight from sun, sky and lamps. */
     public static final LightTransport DIRECT = new LightTransport(0, false);

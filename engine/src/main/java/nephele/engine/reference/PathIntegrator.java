@@ -26,8 +26,8 @@ final class PathIntegrator {
     private final CloudSight clouds;
     /** {@code null} without clouds. */
     private final CloudScattering scattering;
-    /** {@code null} if light passes no portals. */
-    private final LightThroughPortals throughPortals;
+
+    private final LightImages images;
 
     private final int mostBounces;
     private final Estimation estimation;
@@ -42,9 +42,7 @@ final class PathIntegrator {
         path = level.path(transport.passesPortals());
         clouds = level.cloudSight().orElse(null);
         scattering = level.cloudScattering(transport.passesPortals()).orElse(null);
-        throughPortals = transport.passesPortals()
-                ? new LightThroughPortals(level.portals(), level.path(true), level.light())
-                : null;
+        images = level.lightImages(transport.passesPortals());
     }
 
     /** Returns a random RGB radiance whose mean is what leaves the surface towards the eye. */
@@ -82,7 +80,7 @@ final class PathIntegrator {
         }
     }
 
-    /** Adds the light of sun, moon and lamps. */
+    /** Adds the light of sun, moon and lamps, and of their images. */
     private void addDirect(PathVertex at, PixelSample sample) {
         List<DistantLight> distant;
         if (at instanceof PathVertex.InCloud inCloud) {
@@ -92,9 +90,7 @@ final class PathIntegrator {
             addReflected(level.light().direct((SurfacePoint) at, shadows, sample));
             distant = level.light().castingSun();
         }
-        if (throughPortals != null) {
-            addReflected(throughPortals.radiance(at, distant, sample.random()));
-        }
+        addReflected(images.radiance(at, distant, sample.random()));
     }
 
     private static Vector3d emission(SurfacePoint surface) {
@@ -178,7 +174,7 @@ final class PathIntegrator {
         if (!survives(turns, random)) {
             return null;
         }
-        boolean isMet = path.trace(from.rayOrigin(), direction, 0, Double.POSITIVE_INFINITY);
+        boolean isMet = path.leave(from, direction);
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, random);
         List<Segment> parts = cloud == null ? path.partsToEnd() : cloud.parts();
         // Air within clouds is neither seen nor shaded; the sky as a cloud sees it contains that before it.
@@ -195,18 +191,18 @@ final class PathIntegrator {
             return cloud.vertex();
         }
         if (!isMet) {
-            addSky(from);
+            addSky(from, random);
             return null;
         }
         return met(from, density);
     }
 
     /** Adds the sky at the end of the path, without the sun's disc, which next-event estimation stands for. */
-    private void addSky(PathVertex from) {
+    private void addSky(PathVertex from, SplittableRandom random) {
         if (from instanceof PathVertex.InCloud) {
             addReflected(scattering.skylight(path.lastSegment()));
         } else if (level.light().isSkyLight()) {
-            addReflected(level.sky(path.lastSegment()));
+            addReflected(level.skyOfPath(path.lastSegment(), random));
         }
     }
 

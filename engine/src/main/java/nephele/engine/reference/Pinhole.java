@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * A pinhole camera: every point of the picture corresponds to a ray from the eye.
@@ -24,6 +25,13 @@ public record Pinhole(Vec3 eye, Basis basis, double halfWidth, double halfHeight
         Vector3d d = basis.back().toVector().negate();
         d.fma((2 * right - 1) * halfWidth, basis.right().toVector());
         return d.fma((2 * up - 1) * halfHeight, basis.up().toVector());
+    }
+
+    /** Returns the angle between neighbouring pixels of a row in a direction, in a picture of a width in pixels. */
+    double pixelRadians(Vector3dc direction, int width) {
+        double metres = direction.length();
+        double sine = basis.right().toVector().dot(direction) / metres;
+        return 2 * halfWidth / width * Math.sqrt(1 - sine * sine) / metres;
     }
 
     /** Returns the camera in words, with all digits: two that differ have different words. */

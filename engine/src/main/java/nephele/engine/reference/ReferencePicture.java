@@ -106,7 +106,7 @@ public final class ReferencePicture {
     }
 
     private Void work() {
-        Tracer tracer = level.tracer(eye, settings.light());
+        Tracer tracer = level.tracer(eye, settings);
         PixelMean mean = new PixelMean(settings.samples());
         for (int i = next.getAndIncrement(); i < tiles.length; i = next.getAndIncrement()) {
             finished.accept(tile(tracer, tiles[i], mean));

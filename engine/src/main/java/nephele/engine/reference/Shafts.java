@@ -227,9 +227,13 @@ final class Shafts {
                     : shafts.shaft(cube, light).isBlocked(ray, limit, except);
         }
 
-        /** Returns true if anything is between a surface and a place at a distance in a unit direction. */
+        /**
+         * Returns true if anything is between a surface and a place at a distance in a unit direction. Without a shaft:
+         * the paths of light come to too many cubes for one to be worth its making.
+         */
         boolean isBlockedWithin(Vector3dc origin, Vector3dc direction, double metres, int lit) {
-            return isBlocked(shafts.patch(direction), origin, direction, metres * BEFORE_END, lit);
+            ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+            return surfaces.blocker(ray, metres * BEFORE_END, surfaces.withoutOwnShade(lit)) >= 0;
         }
 
         /** Returns true if the sky is occluded in a direction. */

@@ -135,16 +135,21 @@ final class TracedItems {
     /**
      * Finds the first item that the ray enters at a parameter from {@code least} to {@code most}.
      *
+     * @param except an item that the ray passes, or −1
      * @param likely an item that the ray probably enters first, or −1: items clearly behind it are skipped, and the
      *     result does not depend on it
      */
-    boolean nearest(Ray ray, double least, double most, int likely, RayHit hit) {
+    boolean nearest(Ray ray, double least, double most, int except, int likely, RayHit hit) {
         double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least);
-        return behind < most && nearest(ray, least, behind, hit) || nearest(ray, least, most, hit);
+        return behind < most && nearest(ray, least, behind, except, hit) || nearest(ray, least, most, except, hit);
     }
 
-    private boolean nearest(Ray ray, double least, double most, RayHit hit) {
-        return index.nearest(ray, most, (r, item, limit) -> items[item].entry(r, least), hit);
+    private boolean nearest(Ray ray, double least, double most, int except, RayHit hit) {
+        return index.nearest(
+                ray,
+                most,
+                (r, item, limit) -> item == except ? Double.POSITIVE_INFINITY : items[item].entry(r, least),
+                hit);
     }
 
     /** Returns an item other than {@code except} that the ray intersects up to the parameter {@code limit}, or −1. */

@@ -22,6 +22,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.reference.sky.LevelClouds;
 import nephele.engine.reference.sky.SkyCover;
+import nephele.engine.reference.sky.SkyOfPaths;
 import nephele.engine.reference.sky.SunDisc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -33,6 +34,7 @@ public final class TracedLevel {
     private final Illumination light;
     private final Shafts shafts;
     private final Optional<SkyRadiance> sky;
+    private final Optional<SkyOfPaths> skyOfPaths;
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
@@ -79,6 +81,7 @@ public final class TracedLevel {
                 ray -> sunCastsShadow && rays.blocker(ray, Double.POSITIVE_INFINITY, -1) >= 0);
         light = new Illumination(
                 level, SkyCover.of(clouds, level.environment().ambient() == null ? sky : Optional.empty()));
+        skyOfPaths = SkyOfPaths.of(level.environment(), sky);
         exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
     }
@@ -110,15 +113,16 @@ public final class TracedLevel {
         return new TracedLevel(placed, Portals.of(placed.level()), decoding, seconds);
     }
 
-    Tracer tracer(Pinhole eye, LightTransport transport) {
-        return tracer(eye, transport, PathIntegrator.Estimation.BOTH);
+    Tracer tracer(Pinhole eye, TraceSettings settings) {
+        return tracer(eye, settings, PathIntegrator.Estimation.BOTH);
     }
 
-    Tracer tracer(Pinhole eye, LightTransport transport, PathIntegrator.Estimation estimation) {
+    Tracer tracer(Pinhole eye, TraceSettings settings, PathIntegrator.Estimation estimation) {
+        LightTransport transport = settings.light();
         var shadows = new Shafts.ShadowRays(rays, shafts);
         PathIntegrator bounced =
                 transport.bounces() == 0 ? null : new PathIntegrator(this, transport, shadows, estimation);
-        return new Tracer(this, eye, new EyePath(rays, portals, looks.solids()), shadows, bounced);
+        return new Tracer(this, eye, settings.width(), new EyePath(rays, portals, looks.solids()), shadows, bounced);
     }
 
     /**
@@ -173,9 +177,10 @@ public final class TracedLevel {
         return new EyePath(rays, passesPortals ? portals : Portals.NONE, looks.solids());
     }
 
-    /** Returns the portals that light passes. */
-    Portals portals() {
-        return portals;
+    /** Returns a finder of light through openings for one thread; without portals it is that off mirrors. */
+    LightImages lightImages(boolean passesPortals) {
+        return new LightImages(
+                passesPortals ? portals : Portals.NONE, looks.solids().mirrors(), path(passesPortals), light);
     }
 
     EmissiveSurfaces emissive() {
@@ -331,13 +336,25 @@ public final class TracedLevel {
         return sky(last.origin().y(), last.direction().toVector());
     }
 
-    /** Returns the radiance of the discs of sun and moon where the last part of a path begins. */
-    Vector3d discs(EyePath.Segment last) {
+    /** Returns a random radiance with the mean of {@link #sky(EyePath.Segment)}, for paths of light: a picture has many. */
+    Vector3d skyOfPath(EyePath.Segment last, SplittableRandom random) {
+        return skyOfPaths
+                .map(all -> all.radiance(last.origin().y(), last.direction(), random))
+                .orElseGet(Vector3d::new);
+    }
+
+    /**
+     * Returns the radiance of the discs of sun and moon and of stars where the last part of a path begins.
+     *
+     * @param pixelRadians of the picture; a star fills about one
+     */
+    Vector3d discs(EyePath.Segment last, double pixelRadians) {
         Vec3 sunDisc = disc.map(
                         sun -> sun.towards(last.direction(), last.origin().y()))
                 .orElse(Vec3.ZERO);
-        Vec3 moonDisc = night.map(sky -> sky.moon(last.direction())).orElse(Vec3.ZERO);
-        return sunDisc.plus(moonDisc).toVector();
+        Vec3 atNight = night.map(sky -> sky.moon(last.direction()).plus(sky.stars(last.direction(), pixelRadians)))
+                .orElse(Vec3.ZERO);
+        return sunDisc.plus(atNight).toVector();
     }
 
     /** Returns a random effect of air and mirrors along parts of a path; see {@link PathAir#of}. */

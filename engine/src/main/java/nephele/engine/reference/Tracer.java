@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 final class Tracer {
     private final TracedLevel level;
     private final Pinhole eye;
+    private final int width;
     private final Vector3dc from;
     private final EyePath path;
     private final Shafts.ShadowRays shadows;
@@ -18,9 +19,11 @@ final class Tracer {
     /** {@code null} for direct light alone. */
     private final PathIntegrator bounced;
 
-    Tracer(TracedLevel level, Pinhole eye, EyePath path, Shafts.ShadowRays shadows, PathIntegrator bounced) {
+    /** @param width of the picture in pixels */
+    Tracer(TracedLevel level, Pinhole eye, int width, EyePath path, Shafts.ShadowRays shadows, PathIntegrator bounced) {
         this.level = level;
         this.eye = eye;
+        this.width = width;
         this.path = path;
         this.shadows = shadows;
         this.bounced = bounced;
@@ -33,7 +36,7 @@ final class Tracer {
         boolean isMet = path.trace(from, direction, eye.nearMetres(), eye.farMetres());
         CloudSight.Met cloud = clouds == null ? null : clouds.first(path, sample.random());
         Vector3d radiance = bounced != null
-                ? withBounces(isMet, cloud, sample)
+                ? withBounces(isMet, cloud, eye.pixelRadians(direction, width), sample)
                 : cloud != null
                         ? level.fromCloud(cloud, clouds, path, sample.random())
                         : isMet ? fromSurface(sample) : level.fromSky(path, sample.random());
@@ -52,14 +55,14 @@ final class Tracer {
         return level.arriving(radiance, surface.place(), path, sample.random());
     }
 
-    private Vector3d withBounces(boolean isMet, CloudSight.Met cloud, PixelSample sample) {
+    private Vector3d withBounces(boolean isMet, CloudSight.Met cloud, double pixelRadians, PixelSample sample) {
         List<EyePath.Segment> parts = cloud == null ? path.partsToEnd() : cloud.parts();
         double metres = cloud == null ? path.metres() : cloud.metres();
         Vector3d seen = cloud != null
                 ? bounced.radiance(cloud.vertex(), sample)
                 : isMet
                         ? bounced.radiance(surface(), sample)
-                        : level.sky(path.lastSegment()).add(level.discs(path.lastSegment()));
+                        : level.sky(path.lastSegment()).add(level.discs(path.lastSegment(), pixelRadians));
         return level.arrivingByParts(seen, path, parts, metres, sample.random())
                 .add(bounced.lampsAlong(parts, level::attenuation, sample.random()));
     }

@@ -28,6 +28,7 @@ import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
 import nephele.engine.render.pass.rim.UnfilledPass;
 import nephele.engine.render.pass.shadow.BakedLightPass;
+import nephele.engine.render.pass.shadow.ContactPass;
 import nephele.engine.render.pass.shadow.DynamicShadowPass;
 import nephele.engine.render.pass.shadow.LightShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
@@ -58,6 +59,7 @@ public final class RenderFeatures {
             SunShadowPass.FEATURE,
             LightShadowPass.FEATURE,
             DynamicShadowPass.FEATURE,
+            ContactPass.FEATURE,
             SkyVisibilityPass.FEATURE,
             BakedLightPass.FEATURE,
             CloudShadePass.FEATURE,

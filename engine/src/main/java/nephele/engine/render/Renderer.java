@@ -72,7 +72,7 @@ public final class Renderer implements AutoCloseable {
         FrameRequest request = FrameRequest.of(
                 scene.level(),
                 scene.statics(),
-                scene.light(),
+                scene.light() == null ? null : scene.light().indirect(),
                 settings.output(),
                 settings.quality(),
                 settings.character());

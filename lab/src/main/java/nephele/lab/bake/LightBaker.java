@@ -16,7 +16,6 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.bake.LightBake;
-import nephele.engine.level.Level;
 import nephele.engine.level.appearance.AirCache;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
@@ -46,7 +45,7 @@ public final class LightBaker {
         this.levelFile = levelFile;
         this.log = log;
         folder = folder(levelFile);
-        placed = PlacedLevel.of(read(levelFile), LevelAssets.beside(levelFile));
+        placed = placed(levelFile);
     }
 
     private static Path folder(Path levelFile) {
@@ -77,8 +76,8 @@ public final class LightBaker {
     }
 
     private void bakeVisibility() throws IOException {
-        Path file = folder.resolve(SkyVisibilityFile.nameFor(LevelLight.baked(placed)));
-        if (LevelLight.isRequired(placed) && !Files.exists(file)) {
+        Path file = visibilityName(placed).map(folder::resolve).orElse(null);
+        if (file != null && !Files.exists(file)) {
             SkyVisibility visibility =
                     SkyVisibility.bake(LevelLight.baked(placed), PrintedProgress.of(log, "baking the sky visibility"));
             write(file, SkyVisibilityFile.encode(visibility), "");
@@ -91,7 +90,7 @@ public final class LightBaker {
     }
 
     private void bakeLight(LightBake.Settings settings) throws IOException {
-        Path file = folder.resolve(LightKey.of(placed.level()).fileName());
+        Path file = folder.resolve(LightKey.of(placed).fileName());
         Path part = part(levelFile);
         boolean isDone = settings == null
                 && !Files.exists(part)
@@ -141,8 +140,9 @@ public final class LightBaker {
         Set<String> wanted = new TreeSet<>();
         try {
             for (Path level : levels(levelFile.toAbsolutePath().getParent())) {
-                fileNameFor(level).ifPresent(wanted::add);
-                wanted.add(LightKey.of(read(level)).fileName());
+                PlacedLevel kept = placed(level);
+                visibilityName(kept).ifPresent(wanted::add);
+                wanted.add(LightKey.of(kept).fileName());
             }
         } catch (LevelFormatException | AssetException unreadable) {
             // What such a level needs is not known, so nothing is deleted.
@@ -158,15 +158,18 @@ public final class LightBaker {
 
     /** Returns the name of the sky visibility of a level; empty if no sky lights the level. */
     public static Optional<String> fileNameFor(Path levelFile) throws IOException {
-        Level level = read(levelFile);
-        return LightRequirements.skyVisibility(level)
-                ? Optional.of(SkyVisibilityFile.nameFor(
-                        LevelLight.baked(PlacedLevel.of(level, LevelAssets.beside(levelFile)))))
+        return visibilityName(placed(levelFile));
+    }
+
+    private static Optional<String> visibilityName(PlacedLevel placed) {
+        return LevelLight.isRequired(placed)
+                ? Optional.of(SkyVisibilityFile.nameFor(LevelLight.baked(placed)))
                 : Optional.empty();
     }
 
-    private static Level read(Path levelFile) throws IOException {
-        return LevelJson.read(levelFile.toString(), Files.readAllBytes(levelFile));
+    private static PlacedLevel placed(Path levelFile) throws IOException {
+        var level = LevelJson.read(levelFile.toString(), Files.readAllBytes(levelFile));
+        return PlacedLevel.of(level, LevelAssets.beside(levelFile));
     }
 
     /** Returns the levels in a folder, sorted. */

@@ -73,7 +73,7 @@ class StoredLightTest {
     }
 
     private Path baked(PlacedLevel placed) throws IOException {
-        Path file = folder.resolve("baked").resolve(LightKey.of(placed.level()).fileName());
+        Path file = folder.resolve("baked").resolve(LightKey.of(placed).fileName());
         Files.createDirectories(file.getParent());
         Files.write(file, StoredLight.file(placed, light(placed)));
         return file;
@@ -157,8 +157,7 @@ class StoredLightTest {
         String edited = LEVEL.replace(before, after);
         assertNotEquals(LEVEL, edited);
         assertEquals(
-                LightKey.of(placed().level()).fileName(),
-                LightKey.of(placed(edited).level()).fileName());
+                LightKey.of(placed()).fileName(), LightKey.of(placed(edited)).fileName());
     }
 
     @ParameterizedTest
@@ -181,7 +180,6 @@ class StoredLightTest {
         String edited = LEVEL.replace(before, after);
         assertNotEquals(LEVEL, edited);
         assertNotEquals(
-                LightKey.of(placed().level()).fileName(),
-                LightKey.of(placed(edited).level()).fileName());
+                LightKey.of(placed()).fileName(), LightKey.of(placed(edited)).fileName());
     }
 }

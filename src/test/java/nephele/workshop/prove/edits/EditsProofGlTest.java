@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 class EditsProofGlTest {
     @Test
     void anEditedTownIsDrawnAsAFreshOne() {
-        ProofResult result = new EditsProof(2, 1, EditedTownTest::bakedInPart).run(0, 20, Proof.Progress.NONE);
+        ProofResult result =
+                new EditsProof("edits", "", 2, 1, EditedTownTest::bakedInPart).run(0, 20, Proof.Progress.NONE);
         assertEquals(20, result.units());
         assertEquals(List.of(), result.examples());
     }
@@ -23,6 +24,8 @@ class EditsProofGlTest {
     void slowEditsRefuteTheClaimOfAllOfThem() {
         ProofResult slow = ProofResult.of(1_000, List.of(), Figure.greatest("median of an edit", 17, "ms"));
         assertTrue(ProofResult.of(1_000, List.of()).holds());
-        assertFalse(new EditsProof(1, 1, EditedTown::baked).judged(slow).holds());
+        assertFalse(new EditsProof("edits", "", 1, 1, EditedTown::baked)
+                .judged(slow)
+                .holds());
     }
 }

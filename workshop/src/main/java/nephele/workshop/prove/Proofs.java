@@ -44,6 +44,7 @@ import nephele.workshop.prove.picture.ShadowEdgesProof;
 import nephele.workshop.prove.picture.StandingOutProof;
 import nephele.workshop.prove.portals.ClosedRoomProof;
 import nephele.workshop.prove.portals.CrossingsProof;
+import nephele.workshop.prove.portals.DoorwayLightProof;
 import nephele.workshop.prove.portals.DoorwayWalkProof;
 import nephele.workshop.prove.portals.EyeCrossingsProof;
 import nephele.workshop.prove.portals.PlacementProof;
@@ -96,7 +97,9 @@ public final class Proofs {
             new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
-            new EditsProof(10, 8, EditedTown::baked),
+            new DoorwayLightProof(24, 24, 1024),
+            new EditsProof("edits", "", 10, 8, EditedTown::baked),
+            new EditsProof("edits-baked", " with baked light", 10, 8, EditedTown::bouncing),
             new CloudSlabsProof(),
             new CloudLawsProof(),
             MitsubaProof.clouds(),

@@ -10,8 +10,7 @@ import nephele.engine.math.SeededNoise;
 import nephele.engine.math.Vec3;
 
 /**
- * Moon and stars over an atmosphere as an eye sees them; traced pictures are without the stars, and those of direct
- * light without the moon. The twin of {@code nightLight} in {@code atmosphere.frag}. They fade in while the sun sets.
+ * Moon and stars over an atmosphere as an eye sees them; traced pictures of direct light are without. The twin of {@code nightLight} in {@code atmosphere.frag}. They fade in while the sun sets.
  */
 public final class NightSky {
     /** Cells along a side of the cube of stars, with one star in each: some 9600 to magnitude 6. */

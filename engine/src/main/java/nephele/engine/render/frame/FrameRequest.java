@@ -6,9 +6,10 @@ import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.IndirectLight;
 
 /**
  * The request that a renderer's frames fulfil: everything on which the choice of passes depends.
@@ -27,7 +28,7 @@ public record FrameRequest(
     public static FrameRequest of(
             Level level,
             StaticShapes statics,
-            BakedLight light,
+            IndirectLight light,
             Output output,
             Quality quality,
             CharacterPresence character) {
@@ -37,7 +38,7 @@ public record FrameRequest(
     }
 
     /** Returns a request with quality HIGH, without a character. @param light {@code null} for none */
-    public static FrameRequest of(PlacedLevel placed, BakedLight light, Output output) {
+    public static FrameRequest of(PlacedLevel placed, IndirectLight light, Output output) {
         return of(placed.level(), placed.statics(), light, output, Quality.HIGH, CharacterPresence.NEVER);
     }
 
@@ -77,6 +78,15 @@ public record FrameRequest(
     /** Returns true if exposure is metered: for auto, from linear light. */
     public boolean metersExposure() {
         return output == Output.HDR && level.environment().exposureStops().isAuto();
+    }
+
+    /** Returns true if ambient light is darkened near moving objects. */
+    public boolean drawsContact() {
+        Vec3 constant = level.environment().ambient();
+        boolean isAmbient = LightRequirements.skyShines(level)
+                || constant != null && !constant.equals(Vec3.ZERO)
+                || lightMaps.bakes(LightMaps.Baked.BOUNCED);
+        return quality.contact() == Quality.Contact.ON && isAmbient && (hasBodies() || mayShowCharacter());
     }
 
     public boolean mayShowCharacter() {

@@ -14,7 +14,6 @@ import nephele.engine.render.frame.Quality.LightDirections;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
-import nephele.engine.scene.light.bake.BakedLight;
 import nephele.engine.scene.light.bake.IndirectLight;
 
 /**
@@ -40,13 +39,15 @@ public record LightMaps(
         SUN,
         LAMPS,
         /** Not light, but whence it comes, for normals that a normal map tilts. */
-        DIRECTIONS
+        DIRECTIONS,
+        /** All but {@link #DIRECT} once more, for glossy surfaces, which would mirror a sun as wide as the sky. */
+        MIRRORED
     }
 
     /** @param light {@code null} for none */
     public static LightMaps of(
-            Level level, StaticShapes statics, BakedLight light, Quality quality, CharacterPresence character) {
-        Set<Baked> baked = baked(level, light == null ? null : light.indirect(), quality);
+            Level level, StaticShapes statics, IndirectLight light, Quality quality, CharacterPresence character) {
+        Set<Baked> baked = baked(level, light, quality);
         boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
         boolean lamps = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
         boolean sun = LightRequirements.sunShadow(level, statics);
@@ -66,8 +67,9 @@ public record LightMaps(
         List<Target> still = new ArrayList<>(all);
         still.removeAll(List.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW));
         List<Target> ground = new ArrayList<>(all);
-        ground.removeIf(target -> target == Target.SUN_SHADOW && baked.contains(Baked.SUN)
-                || target == Target.LIGHT_SHADOW && baked.contains(Baked.LAMPS));
+        ground.removeIf(
+                target -> (target == Target.SUN_SHADOW || target == Target.CLOUD_SHADE) && baked.contains(Baked.SUN)
+                        || target == Target.LIGHT_SHADOW && baked.contains(Baked.LAMPS));
         List<Target> solids = new ArrayList<>(ground);
         addIf(LightRequirements.skyVisibility(level) && readsSky(level, baked), Target.SKY_VISIBILITY, solids);
         addIf(baked.contains(Baked.BOUNCED) && LightRequirements.hasMeshes(level), Target.BAKED_LIGHT, solids);
@@ -98,6 +100,8 @@ public record LightMaps(
         addIf(isDirectBaked, Baked.DIRECT, baked);
         addIf(isDirectBaked && LightRequirements.sunStands(level), Baked.SUN, baked);
         addIf(isDirectBaked && LightRequirements.lights(level), Baked.LAMPS, baked);
+        boolean isGlossy = level.materials().stream().anyMatch(material -> !material.lambert());
+        addIf(isDirectBaked && isBounced && isGlossy, Baked.MIRRORED, baked);
         addIf(isTilted && quality.lightDirections() == LightDirections.ON, Baked.DIRECTIONS, baked);
         return baked;
     }
@@ -116,6 +120,11 @@ public record LightMaps(
     /** Returns true if any surface reads a target. */
     public boolean has(Target target) {
         return Stream.of(solids, ground, dynamicObjects, gun).anyMatch(reads -> reads.has(target));
+    }
+
+    /** Returns the number of layers of a texture of baked light: radiance, directions, what is mirrored. */
+    public int layers() {
+        return 1 + (bakes(Baked.DIRECTIONS) ? 1 : 0) + (bakes(Baked.MIRRORED) ? 1 : 0);
     }
 
     /** Returns true if static surfaces take a part of light from the bake. */

@@ -87,6 +87,13 @@ public record Quality(
                                 + " goes through walls.")
                 int lightShadows,
         @QualitySetting(
+                        high = "on",
+                        low = "off",
+                        title = "Contact shadows",
+                        about = "Bodies and the character darken what is near them, where they hide light of the sky or"
+                                + " other ambient light. Without it they seem to float in shade.")
+                Contact contact,
+        @QualitySetting(
                         high = "1",
                         ultra = "4",
                         least = 1,
@@ -300,10 +307,16 @@ public record Quality(
         ULTRA
     }
 
+    /** Decides whether moving objects darken the ambient light of what is near them. */
+    public enum Contact {
+        OFF,
+        ON
+    }
+
     /** The source of the light straight from sun and lamps on static surfaces. */
     public enum DirectLight {
         LIVE,
-        /** The bake, if there is one; a sun that moves or shines through clouds stays live. */
+        /** The bake, if there is one; a sun that moves stays live, one that does not shines through the clouds of the first moment. */
         BAKED
     }
 

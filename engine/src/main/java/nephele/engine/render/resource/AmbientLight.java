@@ -25,7 +25,6 @@ import nephele.engine.render.gl.SharedObjects.Identity;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyIrradiance;
-import nephele.engine.scene.light.bake.IndirectLight;
 import nephele.engine.scene.probe.LitSurfaces;
 import nephele.engine.scene.probe.SkyProbes;
 import nephele.engine.scene.probe.SkyProbes.Sampling;
@@ -36,8 +35,8 @@ public final class AmbientLight {
     public static final SharedResource<AmbientLight> RESOURCE = SharedResource.of("ambient light", AmbientLight::new);
 
     /** The light on what has no place in the light map; {@code null} if no sky shines and no light was baked. */
-    public static final SharedResource<SkyProbes> PROBES =
-            SharedResource.of("probes", AmbientLight::probes).following((probes, frame) -> probes.begin());
+    public static final SharedResource<SkyProbes> PROBES = SharedResource.of("probes", AmbientLight::probes)
+            .following((probes, frame) -> probes.begin(frame.frameState().layerGains()));
 
     /** Along a side of the cube over which an atmosphere's light, of degree 2, is integrated. */
     private static final int SMOOTH_CELLS = 16;
@@ -66,13 +65,10 @@ public final class AmbientLight {
         return new Identity(LightRequirements.bounces(scene.light()) ? scene.light() : null);
     }
 
-    /** Returns the static geometry of a level whose light was baked, with all of its lights as they were then. */
+    /** Returns the static geometry of a level whose light was baked, with the light that they send back. */
     static LitSurfaces surfaces(LoadContext context) {
-        Scene scene = context.scene();
-        IndirectLight baked = scene.light().indirect();
-        IndirectLight.Layer all =
-                context.shareValue(IndirectLight.Layer.class, new Identity(baked), () -> baked.sum(true, name -> 1));
-        return context.shareValue(LitSurfaces.class, new Identity(scene), () -> new LitSurfaces(scene, all));
+        return context.shareValue(
+                LitSurfaces.class, new Identity(context.scene()), () -> new LitSurfaces(context.scene()));
     }
 
     /** Returns what the light without clouds follows from: the sky, and the sun if the sky depends on it. */

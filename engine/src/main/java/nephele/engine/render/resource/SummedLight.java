@@ -3,11 +3,15 @@ package nephele.engine.render.resource;
 import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.math.heightfield.HeightField;
 import nephele.engine.render.frame.LightMaps;
+import nephele.engine.render.frame.LightMaps.Baked;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SharedResource;
 import nephele.engine.render.gl.BufferTexture;
@@ -47,10 +51,7 @@ public final class SummedLight {
         scene = context.scene();
         LightMaps maps = context.request().lightMaps();
         BakedLight light = scene.light();
-        var key = new Key(
-                new Identity(light.indirect()),
-                maps.bakes(LightMaps.Baked.DIRECT),
-                maps.bakes(LightMaps.Baked.DIRECTIONS));
+        var key = new Key(new Identity(light.indirect()), maps.baked(), maps.layers());
         shared = context.share(Textures.class, key, () -> new Textures(context.gl(), light, key));
         boolean isWithoutModels = scene.solids().models().isEmpty();
         models = isWithoutModels ? null : context.own(BufferTexture.changingIntegers(context.gl(), "light of models"));
@@ -58,7 +59,7 @@ public final class SummedLight {
     }
 
     private static SummedLight of(LoadContext context) {
-        return context.request().lightMaps().bakes(LightMaps.Baked.BOUNCED) ? new SummedLight(context) : null;
+        return context.request().lightMaps().bakes(Baked.BOUNCED) ? new SummedLight(context) : null;
     }
 
     private void follow(Map<String, Double> gains) {
@@ -75,23 +76,26 @@ public final class SummedLight {
         }
         int[] known = scene.light().visibility().vertices(scene.solids().drawnModels());
         int[] vertices = scene.solids().modelVertices();
-        IntBuffer words = MemoryUtil.memAllocInt(2 * vertices.length);
+        IntBuffer words = MemoryUtil.memAllocInt(shared.layers * vertices.length);
         for (int vertex : vertices) {
             int number = known == null ? vertex : known[vertex];
-            boolean isNew = number == SkyVisibility.NEW;
-            words.put(isNew ? shared.radianceOfNew : shared.vertices.radiance()[number]);
-            words.put(isNew ? shared.directionOfNew : shared.vertices.direction()[number]);
+            for (int layer = 0; layer < shared.layers; layer++) {
+                words.put(
+                        number == SkyVisibility.NEW
+                                ? shared.ofNew[layer]
+                                : shared.vertices.get(layer)[number]);
+            }
         }
         models.upload(words.flip());
         MemoryUtil.memFree(words);
     }
 
-    /** Returns the light of static faces, in the texels of the light map: radiance, then directions if they are drawn. */
+    /** Returns the light of static faces, in the texels of the light map: a layer each of radiance, directions, what is mirrored. */
     public Texture texture() {
         return shared.texels;
     }
 
-    /** Returns the light of each vertex of the models, two words each; {@code null} without models. */
+    /** Returns the light of each vertex of the models, a word for each layer; {@code null} without models. */
     public BufferTexture models() {
         return models;
     }
@@ -102,27 +106,28 @@ public final class SummedLight {
         return number == SkyVisibility.NEW ? shared.newGround : shared.grounds.get(number);
     }
 
-    private record Key(Identity light, boolean isDirectBaked, boolean hasDirections) {}
+    private record Key(Identity light, Set<Baked> baked, int layers) {}
 
     private static final class Textures implements GlObject {
         private final BakedLight light;
-        private final boolean isDirectBaked;
-        private final boolean hasDirections;
+        private final Set<Baked> baked;
+        private final int layers;
         private final Texture texels;
         private final List<Texture> grounds = new ArrayList<>();
         /** A texel of what new surfaces look like. */
         private final Texture newGround;
 
-        private PackedLight vertices;
-        private int radianceOfNew;
-        private int directionOfNew;
+        /** Of every vertex of every model, a word for each layer of the textures. */
+        private List<int[]> vertices;
+
+        private int[] ofNew;
         private Map<String, Double> gains = Map.of();
         private int version;
 
         private Textures(GlContext gl, BakedLight light, Key key) {
             this.light = light;
-            isDirectBaked = key.isDirectBaked();
-            hasDirections = key.hasDirections();
+            baked = key.baked();
+            layers = key.layers();
             LightMapLayout layout = light.layout();
             texels = texture(gl, "baked light", layout.width(), layout.height());
             for (StaticShape.HeightGrid grid : light.statics().ground()) {
@@ -135,7 +140,7 @@ public final class SummedLight {
         }
 
         private Texture texture(GlContext gl, String name, int width, int height) {
-            var extent = new Texture.Extent(width, height, hasDirections ? 2 : 1);
+            var extent = new Texture.Extent(width, height, layers);
             return new Texture(gl, name, Texture.Shape.ARRAY, PixelFormat.RGB9_E5, extent, Sampling.LINEAR_CLAMP);
         }
 
@@ -148,27 +153,48 @@ public final class SummedLight {
 
         private void sum() {
             version++;
-            IndirectLight.Layer sum = light.indirect().sum(isDirectBaked, name -> gains.getOrDefault(name, 1.0));
-            PackedLight packed = PackedLight.of(sum.texels());
-            upload(texels, packed);
-            vertices = PackedLight.of(sum.vertices());
-            List<LightSamples> points = sum.grounds();
-            for (int i = 0; i < points.size(); i++) {
-                upload(grounds.get(i), PackedLight.of(points.get(i)));
+            IndirectLight.Layer all = sum(baked.contains(Baked.DIRECT));
+            IndirectLight.Layer mirrored = baked.contains(Baked.MIRRORED) ? sum(false) : null;
+            List<int[]> solids = words(all, mirrored, IndirectLight.Layer::texels);
+            upload(texels, solids);
+            vertices = words(all, mirrored, IndirectLight.Layer::vertices);
+            for (int i = 0; i < grounds.size(); i++) {
+                int ground = i;
+                upload(grounds.get(i), words(all, mirrored, sum -> sum.grounds().get(ground)));
             }
             int[] brightest = light.visibility().brightest();
             int texel = brightest[1] * light.layout().width() + brightest[0];
-            radianceOfNew = packed.radiance()[texel];
-            directionOfNew = packed.direction()[texel];
-            upload(newGround, new PackedLight(new int[] {radianceOfNew}, new int[] {directionOfNew}));
+            ofNew = solids.stream().mapToInt(layer -> layer[texel]).toArray();
+            upload(
+                    newGround,
+                    Arrays.stream(ofNew).mapToObj(word -> new int[] {word}).toList());
         }
 
-        private void upload(Texture to, PackedLight packed) {
-            for (int[] words :
-                    hasDirections ? List.of(packed.radiance(), packed.direction()) : List.of(packed.radiance())) {
-                ByteBuffer bytes = MemoryUtil.memAlloc(Integer.BYTES * words.length);
-                bytes.asIntBuffer().put(words);
-                to.upload(words == packed.radiance() ? 0 : 1, bytes);
+        private IndirectLight.Layer sum(boolean isDirectBaked) {
+            return light.indirect().sum(isDirectBaked, name -> gains.getOrDefault(name, 1.0));
+        }
+
+        /** Returns the words of each layer of a texture: radiance, directions if they are drawn, what is mirrored likewise. */
+        private List<int[]> words(
+                IndirectLight.Layer all,
+                IndirectLight.Layer mirrored,
+                Function<IndirectLight.Layer, LightSamples> samples) {
+            PackedLight packed = PackedLight.of(samples.apply(all));
+            List<int[]> words = new ArrayList<>(List.of(packed.radiance()));
+            if (baked.contains(Baked.DIRECTIONS)) {
+                words.add(packed.direction());
+            }
+            if (mirrored != null) {
+                words.add(PackedLight.of(samples.apply(mirrored)).radiance());
+            }
+            return words;
+        }
+
+        private static void upload(Texture to, List<int[]> words) {
+            for (int layer = 0; layer < words.size(); layer++) {
+                ByteBuffer bytes = MemoryUtil.memAlloc(Integer.BYTES * words.get(layer).length);
+                bytes.asIntBuffer().put(words.get(layer));
+                to.upload(layer, bytes);
                 MemoryUtil.memFree(bytes);
             }
         }

@@ -1,7 +1,9 @@
 package nephele.engine.render.resource;
 
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.cloud.drawn.CloudInterval;
 import nephele.engine.level.Environment;
@@ -24,12 +26,17 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.UniformBlock;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.dynamic.ContactCasters;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
+import org.lwjgl.system.MemoryUtil;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
@@ -37,7 +44,7 @@ import nephele.engine.scene.light.ShadowFrame;
  */
 public final class SurfaceLight {
     public static final SharedResource<SurfaceLight> RESOURCE = SharedResource.of("surface light", SurfaceLight::of)
-            .following((light, frame) -> light.follow(frame.frameState().environment()));
+            .following((light, frame) -> light.follow(frame.frameState()));
 
     private final Level level;
     private final Scene scene;
@@ -54,6 +61,10 @@ public final class SurfaceLight {
     private final BufferTexture lightTexels;
     private final BufferTexture lightGrid;
     private final DynamicShadows dynamicShadows;
+    /** The number of spheres that hide ambient light from what is near them. */
+    private final int contactSpheres;
+    /** {@code null} without such spheres. */
+    private final UniformBuffer contact;
     /** {@code null} without lightning. */
     private final FrameLightning flash;
 
@@ -62,6 +73,8 @@ public final class SurfaceLight {
     private ShadowFrame sunFrame;
 
     private Environment followed;
+    /** The gains with which the lights were uploaded. */
+    private Map<String, Double> gains = Map.of();
     /** {@code null} before the first frame, and without clouds. */
     private CloudInterval cloudsFollowed;
     /** Whether the last frame was lit by a flash. */
@@ -86,15 +99,17 @@ public final class SurfaceLight {
                 : scene.lights().withMostShadows(request.quality().lightShadows());
         lightTexels = lights == null
                 ? null
-                : context.own(BufferTexture.ofFloats(gl, "punctual lights", lights.packed(anchor())));
+                : context.own(BufferTexture.ofFloats(gl, "punctual lights", lights.packed(anchor(), gains)));
         lightGrid =
                 lights == null ? null : context.own(BufferTexture.ofIntegers(gl, "light grid", lights.packedGrid()));
         dynamicShadows = context.own(new DynamicShadows(gl, maps));
+        contactSpheres = request.drawsContact() ? ContactCasters.spheres(level, request.character()) : 0;
+        contact = contactSpheres == 0 ? null : context.own(new UniformBuffer(gl, "contact shadow", 8 * contactSpheres));
     }
 
     private static SurfaceLight of(LoadContext context) {
         SurfaceLight light = new SurfaceLight(context);
-        light.follow(context.scene().level().environment());
+        light.follow(FrameState.atStart(context.scene().level()));
         return light;
     }
 
@@ -110,9 +125,11 @@ public final class SurfaceLight {
     /**
      * Updates the numbers to the current environment, if it has changed.
      *
-     * @param now has a sun, sky or constant only if the level has
+     * @param state its environment has a sun, sky or constant only if the level has
      */
-    private void follow(Environment now) {
+    private void follow(FrameState state) {
+        followGains(state.layerGains());
+        Environment now = state.environment();
         CloudInterval interval = clouds.current().now();
         boolean isSame = interval == null
                 || cloudsFollowed != null
@@ -139,6 +156,16 @@ public final class SurfaceLight {
         block.upload();
         followed = now;
         cloudsFollowed = interval;
+    }
+
+    private void followGains(Map<String, Double> now) {
+        if (lights != null && !now.equals(gains)) {
+            gains = now;
+            float[] packed = lights.packed(anchor(), gains);
+            FloatBuffer texels = MemoryUtil.memAllocFloat(packed.length);
+            lightTexels.upload(texels.put(packed).flip());
+            MemoryUtil.memFree(texels);
+        }
     }
 
     private void putSun(Sun sun) {
@@ -192,6 +219,16 @@ public final class SurfaceLight {
         return dynamicShadows;
     }
 
+    /** Returns the number of spheres that hide ambient light; 0 if nothing does. */
+    public int contactSpheres() {
+        return contactSpheres;
+    }
+
+    /** Sets the spheres that hide ambient light, as {@link ContactCasters#choose} packs them. */
+    public void contact(float[] spheres) {
+        contact.upload(spheres);
+    }
+
     /** Returns the direction towards the sun, or towards the moon when that is the level's directional light. */
     public Vec3 towardsSun() {
         return towardsSun;
@@ -218,6 +255,7 @@ public final class SurfaceLight {
                 || maps.ground().has(Target.CLOUD_SHADE)
                 || lights != null && !maps.bakes(Baked.LAMPS)
                 || maps.ground().has(Target.DYNAMIC_SUN_SHADOW)
+                || contact != null
                 || flash != null;
     }
 
@@ -255,7 +293,7 @@ public final class SurfaceLight {
      * probes.
      */
     public Defines addForDynamicObjects(Defines defines) {
-        return addLights(defines, maps.dynamicObjects(), Set.of())
+        return addContact(addLights(defines, maps.dynamicObjects(), Set.of()))
                 .with("ANCHOR_POSITION")
                 .withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
@@ -273,10 +311,18 @@ public final class SurfaceLight {
     }
 
     private Defines addStatic(Defines defines) {
-        return addLights(defines, maps.ground(), maps.baked())
-                .withIf(maps.bakes(Baked.BOUNCED), "BAKED_LIGHT")
-                .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
-                .withIf(maps.bakes(Baked.SKY), "SKY_BAKED");
+        Defines live = addContact(addLights(defines, maps.ground(), maps.baked()));
+        return maps.bakes(Baked.BOUNCED)
+                ? live.with("BAKED_LIGHT")
+                        .with("LIGHT_LAYERS", maps.layers())
+                        .withIf(maps.bakes(Baked.DIRECTIONS), "LIGHT_DIRECTIONS")
+                        .withIf(maps.bakes(Baked.MIRRORED), "MIRRORED_LIGHT")
+                        .withIf(maps.bakes(Baked.SKY), "SKY_BAKED")
+                : live;
+    }
+
+    private Defines addContact(Defines defines) {
+        return contact == null ? defines : defines.with("CONTACT").with("CONTACT_SPHERES", contactSpheres);
     }
 
     /** @param baked the light that is not drawn live */
@@ -307,5 +353,8 @@ public final class SurfaceLight {
             lightGrid.bind(TextureUnit.LIGHT_GRID);
         }
         dynamicShadows.bind();
+        if (contact != null) {
+            contact.bind(UniformBlock.CONTACT);
+        }
     }
 }

@@ -48,12 +48,13 @@ public final class DynamicInstances {
     private Posture character;
     private ObserverSphere observer;
     private double seconds;
-    /** The bodies whose centres the last update changed. */
+    /** The bodies whose centres, or the light there, the last update changed. */
     private final boolean[] moved;
     /** Whether the sky visibility of a body, or of anything, lacks what the probes have deferred. */
     private final boolean[] awaitsSky;
 
     private boolean anyAwaitsSky;
+    private long skyVersion;
 
     private final PortalCopies places = new PortalCopies();
     private final int[] groupStart;
@@ -124,10 +125,13 @@ public final class DynamicInstances {
 
     /** Keeps what the copies follow from. Returns true if any of it has changed. */
     private boolean keep(FrameState frameState) {
-        boolean changed = frameState.character() != null && seconds != frameState.seconds()
+        boolean isRelit = sky != null && sky.version() != skyVersion;
+        boolean changed = isRelit
+                || frameState.character() != null && seconds != frameState.seconds()
                 || !Objects.equals(frameState.character(), character)
                 || !Objects.equals(frameState.observer(), observer)
                 || frameState.portals() != portals;
+        skyVersion = sky == null ? 0 : sky.version();
         observer = frameState.observer();
         character = frameState.character();
         seconds = frameState.seconds();
@@ -135,7 +139,7 @@ public final class DynamicInstances {
         for (int body = 0; body < moved.length; body++) {
             frameState.centre(body, centre);
             frameState.orientation(body, turn);
-            moved[body] = keep(7 * body, centre.x, centre.y, centre.z);
+            moved[body] = keep(7 * body, centre.x, centre.y, centre.z) | isRelit;
             changed |= moved[body];
             changed |= keep(7 * body + 3, turn.x, turn.y, turn.z);
             changed |= keep(7 * body + 4, turn.y, turn.z, turn.w);

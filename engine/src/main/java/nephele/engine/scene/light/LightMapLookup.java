@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.bake.FaceFragment;
@@ -16,9 +17,15 @@ import nephele.engine.scene.light.bake.SkyVisibility;
 /**
  * The light map coordinates of face fragments: in each fragment's own chart if the map was baked for these solids.
  * Edited solids keep the old light until the next bake: a fragment uses the nearest chart of its face, found by its
- * solid's id and the face's name, and moves along with its solid; new faces are bright.
+ * solid's id and the face's name, and moves along with its solid; new faces are bright, or without a sky like their neighbours.
  */
 public final class LightMapLookup {
+    /** The least cosine between the normals of faces that look the same way. */
+    private static final double LEAST_LIKENESS = 0.7;
+
+    /** More than any distance to a face that looks the same way. */
+    private static final double FARTHER_METRES = 1e9;
+
     private final SkyVisibility baked;
     private final List<Brush> solids;
     private final boolean isOwn;
@@ -94,13 +101,13 @@ public final class LightMapLookup {
                         baked.statics().solids().get(old),
                         brush.faces().get(face).name());
         if (oldFace < 0) {
-            return brightest();
+            return ofNew(brush.faces().get(face), fragment);
         }
         Vec3 moved = moved(
                 baked.statics().solids().get(old).shape().bounds(),
                 brush.shape().bounds());
         int chart = nearest(baked.layout().chartOf().get(old).get(oldFace), fragment, moved);
-        return chart < 0 ? brightest() : spot(chart, moved);
+        return chart < 0 ? ofNew(brush.faces().get(face), fragment) : spot(chart, moved);
     }
 
     private static int faceNamed(Brush brush, String name) {
@@ -137,6 +144,31 @@ public final class LightMapLookup {
             }
         }
         return nearest;
+    }
+
+    /** Returns the brightest texel; without a sky, which none is, that of the nearest face that looks the same way. */
+    private Spot ofNew(BrushFace face, FaceFragment fragment) {
+        List<LightMapChart> charts = baked.layout().charts();
+        int[] texel = baked.brightest();
+        if (charts.isEmpty() || baked.at(texel[0] + 0.5, texel[1] + 0.5) > 0) {
+            return brightest();
+        }
+        Vec3 middle = PolygonClipping.centroid(fragment.outline());
+        Vec3 normal = face.plane().normal();
+        int nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < charts.size(); i++) {
+            LightMapChart chart = charts.get(i);
+            double beside = chart.metresTo(middle);
+            double before = middle.minus(chart.outline().get(0)).toVector().dot(chart.normal());
+            boolean isAlike = chart.normal().dot(normal.toVector()) > LEAST_LIKENESS;
+            double distance = Math.hypot(beside, before) + (isAlike ? 0 : FARTHER_METRES);
+            if (distance < least) {
+                least = distance;
+                nearest = i;
+            }
+        }
+        return spot(nearest, Vec3.ZERO);
     }
 
     private Spot spot(int chart, Vec3 moved) {

@@ -8,7 +8,6 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Daylight;
 import nephele.engine.level.appearance.PunctualLight;
-import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.bake.BakedLight;
@@ -22,11 +21,9 @@ public final class LightRequirements {
         return sun != null && !sun.irradiance().equals(Vec3.ZERO);
     }
 
-    /** Returns true if there is a sun whose light on the static geometry stays the same while one plays. */
+    /** Returns true if there is a sun that does not move, whose light is baked with the clouds as they are at first. */
     public static boolean sunStands(Level level) {
-        return sun(level)
-                && !Daylight.moves(level.environment())
-                && WeatherClouds.all(level.environment()).isEmpty();
+        return sun(level) && !Daylight.moves(level.environment());
     }
 
     /**

@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.appearance.PunctualLight;
@@ -89,19 +90,31 @@ public record PunctualLightTable(List<PunctualLight> lights, LightGrid grid, Lig
      * Returns four texels per light: position and 1/range²; intensity and cone scale; axis and cone offset; the shadow
      * picture's right axis times its cotangent (the cotangent alone for six pictures), and the first layer, plus ½ if
      * it is the only one, −1 without a shadow.
+     *
+     * @param gains of layers by their names; 1 for others
      */
-    public float[] packed(Vec3 anchor) {
+    public float[] packed(Vec3 anchor, Map<String, Double> gains) {
         float[] packed = new float[lights.size() * TEXELS_PER_LIGHT * 4];
         for (int i = 0; i < lights.size(); i++) {
             PunctualLight light = lights.get(i);
             Vec3 p = light.position();
             Vec3 relative = p.minus(anchor);
             relative.put(packed, 16 * i, light.inverseSquareRange());
-            light.radiantIntensity().put(packed, 16 * i + 4, light.coneScale());
+            double gain = gains.getOrDefault(layer(light), 1.0);
+            light.radiantIntensity().scaled(gain).put(packed, 16 * i + 4, light.coneScale());
             light.axis().put(packed, 16 * i + 8, light.coneOffset());
             shadowAxis(light).put(packed, 16 * i + 12, layerCode(i));
         }
         return packed;
+    }
+
+    /** Same as {@link #packed(Vec3, Map)}, with all layers as bright as written. */
+    public float[] packed(Vec3 anchor) {
+        return packed(anchor, Map.of());
+    }
+
+    private static String layer(PunctualLight light) {
+        return light.source().layer() == null ? "" : light.source().layer();
     }
 
     private double layerCode(int light) {

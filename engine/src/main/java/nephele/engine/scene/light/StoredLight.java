@@ -23,7 +23,7 @@ import nephele.engine.scene.light.bake.SkyVisibilityFile;
 /**
  * The baked light of a level as it was found on disk.
  *
- * @param file its name, or that of the file which is there in its place
+ * @param file its name, or that of the file which is there in its place; of no file if it is {@link State#MISSING}
  * @param light {@code null} if it is not {@link State#BAKED}
  */
 public record StoredLight(State state, String file, IndirectLight light) {
@@ -45,13 +45,17 @@ public record StoredLight(State state, String file, IndirectLight light) {
     }
 
     /**
-     * Reads the light; a level without any costs a hash of its records.
+     * Reads the light. Where no light of any level is it costs nothing, in the jar a hash of the level's records.
      *
      * @param layout of the level's static geometry, models split; called only if there is a file
      */
     static StoredLight of(PlacedLevel placed, Supplier<LightMapLayout> layout) {
-        LightKey key = LightKey.of(placed.level());
-        Optional<byte[]> found = LightCache.of(placed.assets()).stored(key.fileName());
+        LightCache cache = LightCache.of(placed.assets());
+        if (!cache.canHold(LightKey.NAMES)) {
+            return new StoredLight(State.MISSING, "", null);
+        }
+        LightKey key = LightKey.of(placed);
+        Optional<byte[]> found = cache.stored(key.fileName());
         if (found.isEmpty()) {
             return former(placed)
                     .map(file -> new StoredLight(State.STALE, file, null))
@@ -93,12 +97,12 @@ public record StoredLight(State state, String file, IndirectLight light) {
 
     /** Returns what the light depends on, hashed, in hexadecimal digits. */
     public static String contentName(PlacedLevel placed) {
-        return LightKey.of(placed.level()).fileName() + " " + HexFormat.of().formatHex(content(placed));
+        return LightKey.of(placed).fileName() + " " + HexFormat.of().formatHex(content(placed));
     }
 
     private static byte[] content(PlacedLevel placed) {
         String geometry = SkyVisibilityFile.nameFor(LevelLight.baked(placed));
-        return LightKey.of(placed.level()).content(placed.assets(), geometry);
+        return LightKey.of(placed).content(placed.assets(), geometry);
     }
 
     /** Returns the name of the level's file; empty for one in the jar. */

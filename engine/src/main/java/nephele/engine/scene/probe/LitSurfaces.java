@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Material;
@@ -34,7 +35,8 @@ import nephele.engine.scene.light.bake.SkyVisibility;
 
 /**
  * The baked light at points of the static geometry that rays hit, and what of it leaves them: times the mean reflectance
- * of the material, plus its emission, equal in all directions. For one thread.
+ * of the material, plus its emission, equal in all directions. Light of layers that are dimmed apart is kept apart: colours
+ * are RGB of each name of {@link #names} in turn. For one thread.
  */
 public final class LitSurfaces {
     /** What an insulator's specular lobe returns of equal light from all directions; as in {@code surface-light.glsl}. */
@@ -47,7 +49,8 @@ public final class LitSurfaces {
 
     private final Occluders occluders;
     private final SceneMaterials materials;
-    private final IndirectLight.Layer light;
+    private final List<IndirectLight.Layer> layers;
+    private final List<String> names;
     private final LightMapLayout layout;
     private final LightMapLookup lookup;
     private final List<List<List<FaceFragment>>> fragments;
@@ -63,13 +66,12 @@ public final class LitSurfaces {
     private final double[] reflectance = new double[RGB];
     private final double[] emission = new double[RGB];
 
-    /**
-     * Makes the surfaces of a scene.
-     *
-     * @param light the sum of the layers that shine, of this scene's baked light
-     */
-    public LitSurfaces(Scene scene, IndirectLight.Layer light) {
-        this.light = light;
+    /** Makes the surfaces of a scene that has baked light. */
+    public LitSurfaces(Scene scene) {
+        layers = scene.light().indirect().layers();
+        names = Stream.concat(Stream.of(""), layers.stream().map(IndirectLight.Layer::name))
+                .distinct()
+                .toList();
         occluders = new Occluders(scene.statics().split(SkyVisibility.MODEL_EDGE_METRES));
         materials = scene.materials();
         layout = scene.light().layout();
@@ -90,13 +92,18 @@ public final class LitSurfaces {
         }
     }
 
+    /** Returns the names of the layers, first the empty one, to which emission belongs. */
+    public List<String> names() {
+        return names;
+    }
+
     /** Returns the geometry that rays hit; its models are split as for the bake. */
     public Occluders occluders() {
         return occluders;
     }
 
     /**
-     * Writes the radiance that leaves a point, RGB.
+     * Writes the radiance that leaves a point.
      *
      * @param item that a ray has hit there
      * @param face of {@link Occluders#faceOf}; a solid has no light inside, where it is −1
@@ -115,20 +122,20 @@ public final class LitSurfaces {
         } else if (occluders.shapeOf(item) instanceof StaticShape.TriangleMesh mesh) {
             addMaterial(1, mesh.model().authored().material());
         }
-        for (int channel = 0; channel < RGB; channel++) {
-            rgb[channel] = rgb[channel] * reflectance[channel] + emission[channel];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = rgb[i] * reflectance[i % RGB] + (i < RGB ? emission[i] : 0);
         }
     }
 
     /**
-     * Writes the mean radiance that arrives at a point from all directions, RGB. Models that are drawn as impostors send and
+     * Writes the mean radiance that arrives at a point from all directions, of all layers together, RGB. Models that are drawn as impostors send and
      * hide nothing: the point may be within one.
      */
     public void around(Vec3 place, int rays, float[] out, int at) {
         double[][] directions = SkyProbes.evenly(rays);
         double[] from = {place.x(), place.y(), place.z()};
         double[] sum = new double[RGB];
-        double[] rgb = new double[RGB];
+        double[] rgb = new double[RGB * names.size()];
         RayHit hit = new RayHit();
         for (double[] d : directions) {
             Ray ray = new Ray(from[0], from[1], from[2], d[0], d[1], d[2]);
@@ -136,8 +143,8 @@ public final class LitSurfaces {
                     isImpostor(item) ? Double.POSITIVE_INFINITY : occluders.hit(item, from, d, limit);
             if (occluders.nearest(ray, Double.MAX_VALUE, meets, hit)) {
                 leaving(hit.item(), occluders.faceOf(hit.item(), from, d), ray.at(hit.distance()), rgb);
-                for (int channel = 0; channel < RGB; channel++) {
-                    sum[channel] += rgb[channel] / rays;
+                for (int i = 0; i < rgb.length; i++) {
+                    sum[i % RGB] += rgb[i] / rays;
                 }
             }
         }
@@ -152,23 +159,30 @@ public final class LitSurfaces {
                 && mesh.model().authored().impostor();
     }
 
-    /** Writes the irradiance / π at a point, RGB; parameters as of {@link #leaving}. */
+    /** Writes the irradiance / π at a point; parameters as of {@link #leaving}. */
     public void arriving(int item, int face, Vec3 place, double[] rgb) {
         Arrays.fill(rgb, 0);
+        for (int i = 0; i < layers.size(); i++) {
+            int to = RGB * names.indexOf(layers.get(i).name());
+            addArriving(layers.get(i), item, face, place, rgb, to);
+        }
+    }
+
+    private void addArriving(IndirectLight.Layer light, int item, int face, Vec3 place, double[] rgb, int to) {
         if (occluders.isSolid(item)) {
             LightMapLookup.Spot spot = face < 0 ? null : spot(item, face, place);
             if (spot != null) {
                 double column = spot.columnOf(place) - 0.5;
                 double row = spot.rowOf(place) - 0.5;
-                interpolate(light.texels(), layout.width(), layout.height(), column, row, rgb);
+                interpolate(light.texels(), layout.width(), layout.height(), column, row, rgb, to);
             }
         } else if (occluders.shapeOf(item) instanceof StaticShape.HeightGrid grid) {
-            readGround(grid, place, rgb);
+            readGround(light, grid, place, rgb, to);
         } else if (occluders.shapeOf(item) instanceof StaticShape.TriangleMesh mesh) {
             Integer first = firstVertex.get(mesh.model());
             if (first != null) {
                 int vertex = nearestVertex(mesh.model().triangles(), occluders.triangleOf(item), place);
-                add(1, light.vertices(), first + vertex, rgb);
+                add(1, light.vertices(), first + vertex, rgb, to);
             }
         }
     }
@@ -234,7 +248,7 @@ public final class LitSurfaces {
         return nearest;
     }
 
-    private void readGround(StaticShape.HeightGrid grid, Vec3 place, double[] rgb) {
+    private void readGround(IndirectLight.Layer light, StaticShape.HeightGrid grid, Vec3 place, double[] rgb, int to) {
         HeightField field = grid.field();
         int columns = TerrainSky.points(field.cellColumns());
         int rows = TerrainSky.points(field.cellRows());
@@ -242,12 +256,13 @@ public final class LitSurfaces {
         if (index < light.grounds().size() && light.grounds().get(index).points() == columns * rows) {
             double x = (place.x() - field.x(0)) / (field.cellX() * field.cellColumns());
             double z = (place.z() - field.z(0)) / (field.cellZ() * field.cellRows());
-            interpolate(light.grounds().get(index), columns, rows, x * (columns - 1), z * (rows - 1), rgb);
+            interpolate(light.grounds().get(index), columns, rows, x * (columns - 1), z * (rows - 1), rgb, to);
         }
     }
 
     /** Interpolates bilinearly between samples of a grid, whose first is at (0, 0). */
-    private static void interpolate(LightSamples grid, int columns, int rows, double x, double y, double[] rgb) {
+    private static void interpolate(
+            LightSamples grid, int columns, int rows, double x, double y, double[] rgb, int to) {
         double column = Math.min(Math.max(x, 0), columns - 1);
         double row = Math.min(Math.max(y, 0), rows - 1);
         int left = Math.min((int) column, Math.max(columns - 2, 0));
@@ -257,15 +272,15 @@ public final class LitSurfaces {
         int at = low * columns + left;
         int next = columns > 1 ? 1 : 0;
         int above = rows > 1 ? columns : 0;
-        add((1 - right) * (1 - up), grid, at, rgb);
-        add(right * (1 - up), grid, at + next, rgb);
-        add((1 - right) * up, grid, at + above, rgb);
-        add(right * up, grid, at + above + next, rgb);
+        add((1 - right) * (1 - up), grid, at, rgb, to);
+        add(right * (1 - up), grid, at + next, rgb, to);
+        add((1 - right) * up, grid, at + above, rgb, to);
+        add(right * up, grid, at + above + next, rgb, to);
     }
 
-    private static void add(double weight, LightSamples samples, int point, double[] rgb) {
+    private static void add(double weight, LightSamples samples, int point, double[] rgb, int to) {
         for (int channel = 0; channel < RGB; channel++) {
-            rgb[channel] += weight * samples.radiance()[RGB * point + channel];
+            rgb[to + channel] += weight * samples.radiance()[RGB * point + channel];
         }
     }
 

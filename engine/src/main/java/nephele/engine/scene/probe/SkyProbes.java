@@ -1,6 +1,7 @@
 package nephele.engine.scene.probe;
 
 import java.util.Arrays;
+import java.util.Map;
 import java.util.function.Supplier;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Ray;
@@ -27,8 +28,11 @@ public final class SkyProbes {
     private static final float INSIDE = -1;
     private static final int NONE = -1;
 
-    /** So many lattice points are computed in a frame before others wait; a walk over a lattice plane needs four. */
-    private static final int POINTS_EACH_FRAME = 4;
+    /**
+     * So many lattice points are computed in a frame before others wait. A walk needs four for each plane of the lattice, whose
+     * weights grow from nothing; these take tenths of a millisecond each.
+     */
+    private static final int POINTS_EACH_FRAME = 2;
 
     /**
      * Places around a lattice point, in units of the lattice: some on a sphere, then others between these. How many of them
@@ -51,17 +55,27 @@ public final class SkyProbes {
     /** {@code null} where no light was baked. */
     private LitSurfaces surfaces;
 
-    private final int values;
+    /** Values of a lattice point: the fractions, then for each axis red, green and blue of each layer of light. */
+    private int values;
+
+    private Map<String, Double> gains = Map.of();
+    /** By layer of {@link #surfaces}. */
+    private double[] gainOf;
+
+    private long version;
     private final double metres;
     private final double[][] directions;
     private final double[] from = new double[3];
     private final double[] displacement = new double[3];
     private final Ray ray = Ray.reusable();
     private final RayHit hit = new RayHit();
-    private final double[] sums;
-    private final double[] rgb = new double[3];
+    private double[] sums;
+    private double[] rgb;
     private final double[] all = new double[VALUES];
-    private final float[] here;
+    /** Values as of a lattice point: at the position itself, and interpolated. */
+    private float[] here;
+
+    private float[] mixed;
     private final ItemRayTest meets;
     private long[] keys = new long[256];
     private float[] known;
@@ -80,7 +94,10 @@ public final class SkyProbes {
      * @param rays of a lattice point
      */
     public record Sampling(double metres, int rays) {
-        public static final Sampling USUAL = new Sampling(0.5, 96);
+        public static final Sampling USUAL = new Sampling(0.5, 192);
+
+        /** Enough where walls send no light. */
+        private static final Sampling OF_SKY = new Sampling(0.5, 96);
 
         /** Returns the usual sampling with another spacing. */
         public static Sampling every(double metres) {
@@ -90,7 +107,7 @@ public final class SkyProbes {
 
     /** Makes the probes of a level without baked light. */
     public SkyProbes(StaticShapes statics) {
-        this(statics, null, Sampling.USUAL);
+        this(statics, null, Sampling.OF_SKY);
     }
 
     /**
@@ -103,10 +120,6 @@ public final class SkyProbes {
         this.light = light;
         metres = sampling.metres();
         directions = evenly(sampling.rays());
-        values = light == null ? VALUES : LIT_VALUES;
-        sums = new double[values];
-        here = new float[values];
-        known = new float[keys.length * values];
         freeAround = light == null ? null : new long[keys.length];
         meets = (sight, item, limit) -> occluders.hit(item, from, displacement, limit);
         Arrays.fill(keys, Long.MIN_VALUE);
@@ -142,11 +155,25 @@ public final class SkyProbes {
 
     /** Returns the number of values at a position: {@link #VALUES}, or {@link #LIT_VALUES} where light was baked. */
     public int values() {
-        return values;
+        return light == null ? VALUES : LIT_VALUES;
     }
 
-    /** Begins a frame: few of the lattice points that its lookups lack are computed, unless it is the first after a cut. */
-    public void begin() {
+    /** Returns a number that changes when the same position has other values than before. */
+    public long version() {
+        return version;
+    }
+
+    /**
+     * Begins a frame: few of the lattice points that its lookups lack are computed, unless it is the first after a cut.
+     *
+     * @param layerGains by the names of layers of light; 1 for others
+     */
+    public void begin(Map<String, Double> layerGains) {
+        if (!layerGains.equals(gains)) {
+            gains = layerGains;
+            gainOf = null;
+            version++;
+        }
         pointsLeft = isCut || light == null ? Integer.MAX_VALUE : POINTS_EACH_FRAME;
         isCut = false;
     }
@@ -163,14 +190,27 @@ public final class SkyProbes {
      */
     public boolean at(double x, double y, double z, float[] out, int at) {
         prepare();
-        if (surfaces != null) {
-            return mixLight(x, y, z, out, at);
+        isComplete = true;
+        double weights = mix(x, y, z, true);
+        if (surfaces != null && weights < FEW) {
+            from[0] = x;
+            from[1] = y;
+            from[2] = z;
+            if (!occluders.isInside(from, -1)) {
+                gather(here, 0);
+                double share = weights / FEW;
+                for (int value = 0; value < values; value++) {
+                    mixed[value] = (float) (share * mixed[value] + (1 - share) * here[value]);
+                }
+                weights = 1;
+            }
         }
-        // No lattice point is visible from inside a solid; then all free ones nearby are used.
-        if (mix(x, y, z, true, out, at) == 0) {
-            mix(x, y, z, false, out, at);
+        if (weights == 0) {
+            // No lattice point is visible from inside a solid; then all free ones nearby are used.
+            mix(x, y, z, false);
         }
-        return true;
+        write(mixed, out, at);
+        return isComplete;
     }
 
     /** Writes the values at a position without a lattice, as {@link #at}. */
@@ -179,49 +219,54 @@ public final class SkyProbes {
         from[0] = x;
         from[1] = y;
         from[2] = z;
-        gather(out, at);
+        gather(here, 0);
+        write(here, out, at);
     }
 
     private void prepare() {
         if (occluders == null) {
             surfaces = light == null ? null : light.get();
             occluders = surfaces == null ? new Occluders(statics) : surfaces.occluders();
+            int layers = surfaces == null ? 0 : surfaces.names().size();
+            values = VALUES + 3 * layers * VALUES;
+            rgb = new double[3 * layers];
+            sums = new double[values];
+            here = new float[values];
+            mixed = new float[values];
+            known = new float[keys.length * values];
+        }
+        if (surfaces != null && gainOf == null) {
+            gainOf = surfaces.names().stream()
+                    .mapToDouble(name -> gains.getOrDefault(name, 1.0))
+                    .toArray();
         }
     }
 
-    private boolean mixLight(double x, double y, double z, float[] out, int at) {
-        isComplete = true;
-        double weights = mix(x, y, z, true, out, at);
-        if (weights < FEW) {
-            from[0] = x;
-            from[1] = y;
-            from[2] = z;
-            if (!occluders.isInside(from, -1)) {
-                gather(here, 0);
-                double share = weights / FEW;
-                for (int value = 0; value < values; value++) {
-                    out[at + value] = (float) (share * out[at + value] + (1 - share) * here[value]);
-                }
-            } else if (weights == 0) {
-                mix(x, y, z, false, out, at);
+    /** Writes values of a lattice point with the layers of its light added up. */
+    private void write(float[] point, float[] out, int at) {
+        System.arraycopy(point, 0, out, at, VALUES);
+        for (int i = 0; i < 3 * VALUES && surfaces != null; i++) {
+            double sum = 0;
+            for (int layer = 0; layer < gainOf.length; layer++) {
+                sum += gainOf[layer] * point[VALUES + rgb.length * (i / 3) + 3 * layer + i % 3];
             }
+            out[at + VALUES + i] = (float) sum;
         }
-        return isComplete;
     }
 
     /**
-     * Interpolates the values.
+     * Interpolates the values into {@link #mixed}.
      *
      * @param onlyVisible whether to leave out the lattice points that are not visible from the position
      * @return the sum of the weights of the lattice points that were used
      */
-    private double mix(double x, double y, double z, boolean onlyVisible, float[] out, int at) {
+    private double mix(double x, double y, double z, boolean onlyVisible) {
         double weights = 0;
         double cellX = (x - OFFSET_METRES) / metres;
         double cellY = (y - OFFSET_METRES) / metres;
         double cellZ = (z - OFFSET_METRES) / metres;
         int nearest = surfaces == null ? 0 : upper(cellX) + 2 * upper(cellY) + 4 * upper(cellZ);
-        Arrays.fill(out, at, at + values, 0);
+        Arrays.fill(mixed, 0);
         for (int number = 0; number < 8; number++) {
             int corner = number ^ nearest;
             double i = Math.floor(cellX) + (corner & 1);
@@ -237,11 +282,11 @@ public final class SkyProbes {
             }
             weights += weight;
             for (int value = 0; value < values && weight > 0; value++) {
-                out[at + value] += (float) (weight * known[values * place + value]);
+                mixed[value] += (float) (weight * known[values * place + value]);
             }
         }
         for (int value = 0; value < values && weights > 0; value++) {
-            out[at + value] /= (float) weights;
+            mixed[value] /= (float) weights;
         }
         return weights;
     }
@@ -366,13 +411,13 @@ public final class SkyProbes {
                 double weight = Math.abs(d[axis]);
                 all[value] += weight;
                 sums[value] += isHit ? 0 : weight;
-                for (int channel = 0; channel < 3 && isHit && surfaces != null; channel++) {
-                    sums[VALUES + 3 * value + channel] += weight * rgb[channel];
+                for (int i = 0; i < rgb.length && isHit; i++) {
+                    sums[VALUES + rgb.length * value + i] += weight * rgb[i];
                 }
             }
         }
         for (int value = 0; value < values; value++) {
-            out[at + value] = (float) (sums[value] / all[value < VALUES ? value : (value - VALUES) / 3]);
+            out[at + value] = (float) (sums[value] / all[value < VALUES ? value : (value - VALUES) / rgb.length]);
         }
     }
 }

@@ -1,15 +1,22 @@
 // Light that was baked: of each sample of a surface the radiance that a white one sends, and the mean direction of the light that
 // arrives. Twin: nephele.engine.scene.light.PackedLight. LIGHT_DIRECTIONS: the directions are read, where a normal differs from the
-// surface's own. MODEL_LIGHT: a sample for each vertex of a model's mesh, else a texture with radiance and directions in its layers.
+// surface's own. MIRRORED_LIGHT: glossy surfaces mirror less than they reflect diffusely: not what comes straight from sun and lamps; their
+// layer is the last of LIGHT_LAYERS. MODEL_LIGHT: a sample for each vertex of a model's mesh, else a texture with radiance and directions in its layers.
 
 #if defined(LIGHT_DIRECTIONS) && (defined(NORMAL_MAP) || defined(METALLIC_ROUGHNESS))
 #define BAKED_DIRECTION
+#endif
+#if defined(MIRRORED_LIGHT) && defined(METALLIC_ROUGHNESS)
+#define BAKED_MIRRORED
 #endif
 
 struct BakedLight {
     vec3 radiance;
 #ifdef BAKED_DIRECTION
     vec3 direction; // |direction| <= 1
+#endif
+#ifdef BAKED_MIRRORED
+    vec3 mirrored; // radiance
 #endif
 };
 
@@ -23,9 +30,12 @@ vec3 unpacked(uint word) {
 
 BakedLight bakedLightOfVertex(int vertex) {
     BakedLight light;
-    light.radiance = unpacked(texelFetch(modelLight, 2 * vertex).r);
+    light.radiance = unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex).r);
 #ifdef BAKED_DIRECTION
-    light.direction = 2.0 * unpacked(texelFetch(modelLight, 2 * vertex + 1).r) - 1.0;
+    light.direction = 2.0 * unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex + 1).r) - 1.0;
+#endif
+#ifdef BAKED_MIRRORED
+    light.mirrored = unpacked(texelFetch(modelLight, LIGHT_LAYERS * vertex + LIGHT_LAYERS - 1).r);
 #endif
     return light;
 }
@@ -37,6 +47,9 @@ BakedLight bakedLightAt(vec2 coordinates) {
     light.radiance = texture(bakedLight, vec3(coordinates, 0.0)).rgb;
 #ifdef BAKED_DIRECTION
     light.direction = 2.0 * texture(bakedLight, vec3(coordinates, 1.0)).rgb - 1.0;
+#endif
+#ifdef BAKED_MIRRORED
+    light.mirrored = texture(bakedLight, vec3(coordinates, LIGHT_LAYERS - 1)).rgb;
 #endif
     return light;
 }
@@ -54,12 +67,12 @@ float relativeIrradiance(vec3 d, vec3 n) {
 }
 #endif
 
-// Returns the radiance of a white surface that faces n in place of its own normal.
-vec3 radianceFacing(BakedLight light, vec3 n, vec3 own) {
+// Returns how much more light a surface would get if it faced n instead of its own normal.
+float gainFacing(BakedLight light, vec3 n, vec3 own) {
 #ifdef BAKED_DIRECTION
     float ofOwn = max(relativeIrradiance(light.direction, own), java(scene.light.PackedLight.LEAST_OF_OWN_NORMAL));
-    return light.radiance * (relativeIrradiance(light.direction, n) / ofOwn);
+    return relativeIrradiance(light.direction, n) / ofOwn;
 #else
-    return light.radiance;
+    return 1.0;
 #endif
 }

@@ -1,8 +1,8 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.resource.SurfaceLight. The level's light
 // decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
-// DYNAMIC_LIGHT_SHADOW, CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
+// DYNAMIC_LIGHT_SHADOW, CONTACT (moving objects darken ambient light), CLOUD_SHADE, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT, FLASH; SKY_VISIBILITY with it on static
 // faces; BAKED_LIGHT: light of baked-light.glsl in addition; SKY_BAKED: that of the sky is in it, and only lightning asks for its visibility; BOUNCED_LIGHT: light of other surfaces on moving things and billboards; LIGHT_PARTS: only the parts of light that lightParts names. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
-// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
+// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, CONTACT, CLOUD_SHADE, DYNAMIC_SUN_SHADOW, PUNCTUAL_LIGHTS and FLASH.
 
 #ifdef BAKED_LIGHT
 #include "baked-light.glsl"
@@ -37,6 +37,9 @@ struct Surface {
 #ifdef BAKED_LIGHT
     BakedLight baked;
 #endif
+#if defined(CONTACT) && defined(MOVING_RECEIVER)
+    int instance;
+#endif
 #ifdef BOUNCED_LIGHT
     vec3 bounced;  // radiance of a white surface that only other surfaces light
 #ifdef METALLIC_ROUGHNESS
@@ -59,6 +62,9 @@ const float PI = 3.14159265;
 #endif
 #if defined(DYNAMIC_SUN_SHADOW) || defined(DYNAMIC_LIGHT_SHADOW)
 #include "dynamic-shadows.glsl"
+#endif
+#ifdef CONTACT
+#include "contact.glsl"
 #endif
 #ifdef SUN_SHADOW
 #include "sun-shadow.glsl"
@@ -192,8 +198,8 @@ vec3 allLights(REFLECTANCE r, Surface s) {
 }
 #endif
 
-#ifdef BAKED_LIGHT
-// Returns the normal for which light was baked.
+#if defined(BAKED_LIGHT) || defined(CONTACT)
+// Returns the normal without a normal map, for which light is baked.
 vec3 ownNormal(Surface s) {
 #ifdef MODEL
     return s.smoothNormal;
@@ -220,9 +226,14 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
     vec3 mirrored = vec3(0.0);
 #endif
 #ifdef BAKED_LIGHT
-    diffuse += radianceFacing(s.baked, s.normal, ownNormal(s));
+    diffuse += s.baked.radiance * gainFacing(s.baked, s.normal, ownNormal(s));
 #ifdef METALLIC_ROUGHNESS
-    mirrored += radianceFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
+#ifdef BAKED_MIRRORED
+    vec3 toMirror = s.baked.mirrored;
+#else
+    vec3 toMirror = s.baked.radiance;
+#endif
+    mirrored += toMirror * gainFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
 #endif
 #endif
 #ifdef BOUNCED_LIGHT
@@ -243,6 +254,17 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 }
 #endif
 
+#ifdef CONTACT
+// Returns the share of ambient light that moving objects do not hide.
+float contactShare(Surface s) {
+#ifdef MOVING_RECEIVER
+    return contactOpenShare(s.anchorPosition, s.faceNormal, s.instance);
+#else
+    return contactOpenShare(s.anchorPosition, ownNormal(s), -1);
+#endif
+}
+#endif
+
 #ifdef FLASH
 #include "flash-light.glsl"
 #endif
@@ -252,6 +274,9 @@ vec3 surfaceRadiance(Surface s) {
     vec3 sum = vec3(0.0);
 #ifdef AMBIENT
     sum += ambientLight(r, s);
+#ifdef CONTACT
+    sum *= contactShare(s);
+#endif
 #endif
 #ifdef LIGHT_PARTS
     r = shown(r);

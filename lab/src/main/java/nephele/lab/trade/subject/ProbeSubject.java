@@ -9,9 +9,8 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.bake.BakedLight;
-import nephele.engine.scene.light.bake.IndirectLight;
-import nephele.engine.scene.light.bake.LightMapLayout;
 import nephele.engine.scene.light.bake.Occluders;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.probe.LitSurfaces;
@@ -27,13 +26,13 @@ import nephele.lab.trade.Trade;
 /** The light of probes against that of many rays from the places themselves, and what a walk between these places costs. */
 public final class ProbeSubject implements Experiment {
     private static final Sampling[] SAMPLINGS = {
-        new Sampling(2, 96),
-        new Sampling(1, 96),
-        new Sampling(0.5, 32),
+        new Sampling(2, 192),
+        new Sampling(1, 192),
+        new Sampling(0.5, 48),
+        new Sampling(0.5, 96),
         Sampling.USUAL,
         new Sampling(0.5, 384),
-        new Sampling(0.25, 96),
-        new Sampling(0.25, 384)
+        new Sampling(0.25, 192)
     };
     private static final Sampling EXACT = new Sampling(1, 6144);
     private static final int PLACES = 200;
@@ -45,8 +44,6 @@ public final class ProbeSubject implements Experiment {
     /** Bodies keep as far from walls. */
     private static final double REACH_METRES = 0.3;
 
-    private static final LightBake.Settings COARSE = new LightBake.Settings(0.1, 128);
-
     public static final Trade TRADE = new Trade(
             "probes",
             new Trade.Text(
@@ -57,14 +54,14 @@ public final class ProbeSubject implements Experiment {
                     EXACT.rays() + " rays from each place"),
             List.of("probeMetres"),
             List.of(
-                    new Setting("2 m", "96 rays"),
-                    new Setting("1 m", "96 rays"),
-                    new Setting("0.5 m, few rays", "32 rays"),
-                    new Setting("0.5 m", "96 rays"),
-                    new Setting("0.5 m, many rays", "384 rays"),
-                    new Setting("0.25 m", "96 rays"),
-                    new Setting("0.25 m, many rays", "384 rays")),
-            3,
+                    new Setting("2 m", "192 rays"),
+                    new Setting("1 m", "192 rays"),
+                    new Setting("0.5 m, 48 rays", ""),
+                    new Setting("0.5 m, 96 rays", ""),
+                    new Setting("0.5 m", "192 rays"),
+                    new Setting("0.5 m, 384 rays", ""),
+                    new Setting("0.25 m", "192 rays")),
+            4,
             new ErrorMetric("of the light of a side, on the mean", "%", 0.2, 1),
             List.of("worst of 20 sides, %"),
             new CostMetric("CPU a metre walked", "µs", 1e3, WALKS * WALK_METRES, CostMetric.Clock.THREAD),
@@ -79,15 +76,11 @@ public final class ProbeSubject implements Experiment {
 
     private ProbeSubject(PlacedLevel placed) {
         statics = placed.statics();
-        StaticShapes split = statics.split(SkyVisibility.MODEL_EDGE_METRES);
-        LightBake bake = LightBake.of(placed, COARSE);
-        bake.run(LightBake.Checkpoint.NONE, done -> {});
-        IndirectLight light = bake.light();
-        LightMapLayout layout = LightMapLayout.of(split.solids());
-        short[] texels = new short[layout.width() * layout.height()];
-        short[] vertices = new short[split.models().vertexCount()];
-        BakedLight baked = new BakedLight(new SkyVisibility(layout, split, texels, vertices), light);
-        surfaces = new LitSurfaces(Scene.of(placed, baked), light.sum(true, name -> 1));
+        LightBake bake = LightBake.of(placed, LightBake.Settings.USUAL);
+        bake.balance(done -> {});
+        BakedLight sky = LevelLight.of(placed, done -> {});
+        SkyVisibility visibility = sky == null ? SkyVisibility.even(LevelLight.baked(placed), false) : sky.visibility();
+        surfaces = new LitSurfaces(Scene.of(placed, new BakedLight(visibility, bake.light())));
         choosePlaces();
     }
 

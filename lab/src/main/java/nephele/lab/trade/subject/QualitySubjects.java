@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Sun;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
@@ -89,6 +90,10 @@ public final class QualitySubjects {
                     "lightShadows", REFERENCE, PictureSetting.all("lightShadows", 0, 1, 2, 4, 999))
             .in(LIT_LEVEL);
 
+    public static final Trade CONTACT = PictureSubjects.setting(
+                    "contact", REFERENCE, PictureSetting.all("contact", "off", "on"))
+            .in("levels/04-cube.json");
+
     private QualitySubjects() {}
 
     private static String filterNote(String filter) {
@@ -112,17 +117,8 @@ public final class QualitySubjects {
     }
 
     private static Light unshadowed(Light light) {
-        if (light instanceof Light.Spot spot) {
-            return new Light.Spot(
-                    spot.id(),
-                    spot.position(),
-                    spot.direction(),
-                    spot.radiantIntensity(),
-                    spot.rangeMetres(),
-                    spot.innerConeDegrees(),
-                    spot.outerConeDegrees(),
-                    false);
-        }
-        return new Light.Point(light.id(), light.position(), light.radiantIntensity(), light.rangeMetres(), false);
+        return light instanceof Light.Spot spot
+                ? RecordCopy.with(spot, "castsShadow", false)
+                : RecordCopy.with((Light.Point) light, "castsShadow", false);
     }
 }

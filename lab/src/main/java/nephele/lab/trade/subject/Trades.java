@@ -23,6 +23,7 @@ public final class Trades {
             BakedLightSubjects.BOUNCES,
             BakedLightSubjects.TEXELS,
             BakedLightSubjects.DIRECTIONS,
+            QualitySubjects.CONTACT,
             ProbeSubject.TRADE,
             PictureSubjects.PORTAL_TECHNIQUE,
             PictureSubjects.PORTAL_BUDGET,

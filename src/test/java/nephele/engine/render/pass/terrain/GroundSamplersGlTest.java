@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.terrain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.IntBuffer;
@@ -9,14 +10,21 @@ import java.util.Set;
 import java.util.TreeSet;
 import nephele.engine.asset.LayerMap;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.choice.LevelRenderer;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestTerrain;
 import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.bake.BakedLight;
+import nephele.engine.scene.light.bake.FormulaLight;
+import nephele.engine.scene.light.bake.IndirectLight;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.system.MemoryStack;
 
@@ -94,6 +102,25 @@ class GroundSamplersGlTest {
                     GL_UNSIGNED_INT_SAMPLER_BUFFER -> true;
             default -> false;
         };
+    }
+
+    /** A seventeenth is read by vertices alone. */
+    @Test
+    void bakedLightIsOneMoreBesideTheTilesOfVertices() {
+        Level level =
+                LevelJson.read("everything.json", EVERYTHING.formatted(lamps()).getBytes(StandardCharsets.UTF_8));
+        PlacedLevel placed = PlacedLevel.of(level, assets());
+        BakedLight light = new FormulaLight(placed.statics())
+                .layer("", IndirectLight.Course.INDIRECT, place -> new Vec3(1, 1, 1), new Vec3(0, 0.5, 0))
+                .baked(IndirectLight.SkyLight.LIVE);
+        try (Offscreen offscreen = new Offscreen(32, 32);
+                Renderer renderer = LevelRenderer.load(
+                        offscreen.gl, Scene.of(placed, light), RenderSettings.of(Output.HDR, Quality.ULTRA))) {
+            renderer.draw(offscreen.view(new Vec3(0, 22, 13), new Vec3(0, 5, -5)), offscreen.picture);
+            Set<String> samplers = samplers();
+            assertEquals(17, samplers.size(), samplers::toString);
+            assertTrue(samplers.containsAll(Set.of("bakedLight", "terrainSky", "terrainTiles")), samplers::toString);
+        }
     }
 
     @Test

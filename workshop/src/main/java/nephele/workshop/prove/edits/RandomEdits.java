@@ -16,6 +16,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
 import nephele.engine.level.TextureMapping;
@@ -250,17 +251,16 @@ final class RandomEdits {
         Vec3 intensity = new Vec3(10 * random.nextDouble(), 5, 4);
         Vec3 at = random.nextBoolean() ? light.position() : near(light.position());
         if (light instanceof Light.Spot spot) {
-            return new Light.Spot(
-                    spot.id(),
-                    at,
-                    spot.direction(),
-                    intensity,
-                    spot.rangeMetres(),
-                    spot.innerConeDegrees(),
-                    spot.outerConeDegrees(),
-                    spot.castsShadow());
+            return RecordCopy.with(spot, "position", at, "radiantIntensity", intensity);
         }
-        return new Light.Point(light.id(), at, intensity, light.rangeMetres(), random.nextBoolean());
+        return RecordCopy.with(
+                (Light.Point) light,
+                "position",
+                at,
+                "radiantIntensity",
+                intensity,
+                "castsShadow",
+                random.nextBoolean());
     }
 
     private Light addedLight() {

@@ -179,7 +179,7 @@ public final class LeaksProof implements Proof {
 
         /** Returns the brightest light that eyes inside see on surfaces, interpolated as in a picture. */
         double shown() {
-            LitSurfaces surfaces = new LitSurfaces(scene, all);
+            LitSurfaces surfaces = new LitSurfaces(scene);
             Occluders occluders = surfaces.occluders();
             RayHit hit = new RayHit();
             double[] rgb = new double[3];
@@ -203,7 +203,7 @@ public final class LeaksProof implements Proof {
 
         /** Returns the brightest light on a side of a thing inside. */
         double probes() {
-            SkyProbes probes = new SkyProbes(statics, () -> new LitSurfaces(scene, all), SkyProbes.Sampling.USUAL);
+            SkyProbes probes = new SkyProbes(statics, () -> new LitSurfaces(scene), SkyProbes.Sampling.USUAL);
             float[] values = new float[SkyProbes.LIT_VALUES];
             double most = 0;
             for (int i = 0; i < EYES; i++) {

@@ -5,7 +5,8 @@ public enum UniformBlock {
     FRAME("Frame"),
     MATERIALS("Materials"),
     DYNAMIC_SHADE("DynamicShade"),
-    LIGHT("Light");
+    LIGHT("Light"),
+    CONTACT("Contact");
 
     private final String block;
 

@@ -1,6 +1,8 @@
 package nephele.engine.scene.light.bake;
 
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -60,6 +62,27 @@ public record LightCache(AssetSource assets, List<Path> writable) {
     public Optional<SkyVisibility> known(StaticShapes statics) {
         return stored(SkyVisibilityFile.nameFor(statics))
                 .flatMap(bytes -> SkyVisibilityFile.decode(LightMapLayout.of(statics.solids()), statics, bytes));
+    }
+
+    /**
+     * Returns false if no file of a kind is in any of the folders, which spares the caller the hash of a level; true in the
+     * jar, whose folders cannot be listed.
+     *
+     * @param names a glob
+     */
+    public boolean canHold(String names) {
+        Path level = assets.levelFile().orElse(null);
+        return level == null
+                || Stream.concat(FOLDERS.stream().map(level::resolveSibling), writable.stream())
+                        .anyMatch(folder -> holds(folder, names));
+    }
+
+    private static boolean holds(Path folder, String names) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, names)) {
+            return files.iterator().hasNext();
+        } catch (IOException none) {
+            return false;
+        }
     }
 
     /** Returns the bytes of a file of baked light. */

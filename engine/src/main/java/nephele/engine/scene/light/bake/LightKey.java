@@ -18,11 +18,13 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.TextKind;
+import nephele.engine.level.TexturePlacement;
 import nephele.engine.level.Written;
-import nephele.engine.level.appearance.Daylight;
+import nephele.engine.level.placed.PlacedLevel;
 
 /**
  * The part of a level that its baked light depends on: solids, models, terrains and billboards with the materials that
@@ -42,20 +44,22 @@ public record LightKey(String fileName, List<String> assetIds) {
 
     /** Components on which no light depends. */
     private static final Set<String> UNLIT =
-            Set.of("portalable", "exposureStops", "toneCurve", "lightning", "technique", "tolerance");
+            Set.of("id", "portalable", "exposureStops", "toneCurve", "lightning", "technique", "tolerance");
 
     /** Returns the key of a level. */
-    public static LightKey of(Level authored) {
-        Level level = Daylight.lit(authored);
+    public static LightKey of(PlacedLevel placed) {
+        Level level = placed.level();
         MessageDigest digest = SkyVisibilityFile.sha256();
         try (var words = new DataOutputStream(
                 new BufferedOutputStream(new DigestOutputStream(OutputStream.nullOutputStream(), digest)))) {
             words.writeInt(VERSION);
             var walk = new Walk(level, words);
             walk.value(level.environment(), null);
-            for (List<?> section :
-                    List.of(level.solids(), level.lights(), level.models(), level.terrains(), level.billboards())) {
+            for (List<?> section : List.of(level.lights(), level.models(), level.terrains(), level.billboards())) {
                 walk.value(section, null);
+            }
+            for (Brush brush : placed.statics().solids()) {
+                walk.solid(brush);
             }
             words.flush();
             String hash = HexFormat.of().formatHex(digest.digest(), 0, NAME_BYTES);
@@ -101,6 +105,42 @@ public record LightKey(String fileName, List<String> assetIds) {
             this.words = words;
         }
 
+        /** Writes a solid; not by reflection, because there are thousands while a level loads. */
+        void solid(Brush brush) throws IOException {
+            words.writeInt(brush.faces().size());
+            for (Brush.BrushFace face : brush.faces()) {
+                number(face.plane().nx());
+                number(face.plane().ny());
+                number(face.plane().nz());
+                number(face.plane().distance());
+                TexturePlacement picture = face.texture() == null ? TexturePlacement.NONE : face.texture();
+                number(picture.shiftUMetres());
+                number(picture.shiftVMetres());
+                number(picture.rotationDegrees());
+                number(picture.scaleU());
+                number(picture.scaleV());
+                words.writeInt(face.textureMapping().ordinal());
+                material(face.material());
+            }
+        }
+
+        /** @param id {@code null} for grey */
+        private void material(String id) throws IOException {
+            Integer before = known.putIfAbsent(id, known.size());
+            words.writeInt(before == null ? -1 : before);
+            if (before == null && materials.containsKey(id)) {
+                members(materials.get(id));
+            }
+        }
+
+        /**
+         * Writes a number as a float, which drops the last bits, in which the sun of an hour differs between machines; adding
+         * zero drops the sign of −0.
+         */
+        private void number(double number) throws IOException {
+            words.writeFloat((float) (number + 0.0));
+        }
+
         /** @param written how a file has the value; {@code null} for one without a declaration */
         void value(Object value, Written written) throws IOException {
             if (value instanceof List<?> list) {
@@ -122,10 +162,7 @@ public record LightKey(String fileName, List<String> assetIds) {
             } else if (value instanceof String text) {
                 text(text, written);
             } else if (value instanceof Double number) {
-                // A float drops the last bits, in which the sun of an hour differs between machines, and adding zero
-                // the
-                // sign of −0.
-                words.writeFloat((float) (number + 0.0));
+                number(number);
             } else {
                 words.writeUTF(String.valueOf(value));
             }
@@ -152,21 +189,16 @@ public record LightKey(String fileName, List<String> assetIds) {
         }
 
         private void text(String text, Written written) throws IOException {
-            boolean isId = written != null && written.text() == TextKind.ID;
-            if (!isId) {
+            String section = written == null ? "" : written.refersTo();
+            if (section.equals("materials")) {
+                material(text);
+            } else if (!section.isEmpty()) {
+                words.writeInt(idsOf.getOrDefault(section, List.of()).indexOf(text));
+            } else {
                 words.writeUTF(text);
                 if (written != null && written.text() == TextKind.ASSET) {
                     assetIds.add(text);
                 }
-            } else if (written.refersTo().equals("materials")) {
-                Integer before = known.putIfAbsent(text, known.size());
-                if (before != null) {
-                    words.writeInt(before);
-                } else if (materials.containsKey(text)) {
-                    members(materials.get(text));
-                }
-            } else if (!written.refersTo().isEmpty()) {
-                words.writeInt(idsOf.getOrDefault(written.refersTo(), List.of()).indexOf(text));
             }
         }
     }

@@ -89,6 +89,9 @@ void main() {
 #ifdef SKY_AMBIENT
     s.skyVisibility = skySeen(instance, s.normal);
 #endif
+#ifdef CONTACT
+    s.instance = instance;
+#endif
 #ifdef BOUNCED_LIGHT
     s.bounced = bouncedOn(instance, s.normal);
 #ifdef METALLIC_ROUGHNESS

@@ -36,6 +36,9 @@ in vec3 bakedRadiance;
 #ifdef BAKED_DIRECTION
 in vec3 bakedDirection;
 #endif
+#ifdef BAKED_MIRRORED
+in vec3 bakedMirrored;
+#endif
 #endif
 #endif
 #ifdef ANCHOR_POSITION
@@ -120,6 +123,9 @@ vec3 litRadiance(vec3 texel) {
     s.baked.radiance = bakedRadiance;
 #ifdef BAKED_DIRECTION
     s.baked.direction = bakedDirection;
+#endif
+#ifdef BAKED_MIRRORED
+    s.baked.mirrored = bakedMirrored;
 #endif
 #endif
 #ifdef SKY_VISIBILITY

@@ -43,6 +43,9 @@ out vec3 bakedRadiance;
 #ifdef BAKED_DIRECTION
 out vec3 bakedDirection;
 #endif
+#ifdef BAKED_MIRRORED
+out vec3 bakedMirrored;
+#endif
 #endif
 #endif
 #ifdef ANCHOR_POSITION
@@ -87,6 +90,9 @@ void main() {
     bakedRadiance = baked.radiance;
 #ifdef BAKED_DIRECTION
     bakedDirection = baked.direction;
+#endif
+#ifdef BAKED_MIRRORED
+    bakedMirrored = baked.mirrored;
 #endif
 #endif
 #endif
