@@ -12,6 +12,9 @@ import nephele.engine.scene.light.bake.Occluders;
 final class CoplanarCharts {
     private static final double COPLANAR = 1e-6;
 
+    /** A place at the edge of a chart is no farther outside of the chart that goes on there. */
+    private static final double EDGE_METRES = 3e-3;
+
     /** The height over the plane at which nothing may be between two places on it. */
     private static final double LIFT_METRES = 1e-3;
 
@@ -79,6 +82,40 @@ final class CoplanarCharts {
             }
         }
         return null;
+    }
+
+    /** What is done with each pair of places. */
+    interface Pair {
+        /**
+         * @param at texel of the chart
+         * @param other the chart that goes on there
+         * @param column position on it, as {@code row}
+         */
+        void join(int at, int other, double column, double row);
+    }
+
+    /** Calls for each texel at the edge of a chart with the places beside it on charts that go on there. */
+    void forEdges(int index, Pair pair) {
+        if (near[index].length == 0) {
+            return;
+        }
+        LightMapChart chart = layout.charts().get(index);
+        for (int at = 0; at < chart.columns() * chart.rows(); at++) {
+            int column = at % chart.columns();
+            int row = at / chart.columns();
+            if (column == 0 || row == 0 || column == chart.columns() - 1 || row == chart.rows() - 1) {
+                Vec3 place = Vec3.of(chart.inside(column, row));
+                for (int other : near[index]) {
+                    LightMapChart there = layout.charts().get(other);
+                    if (there.metresOutside(place) <= EDGE_METRES) {
+                        Vec3 to = Vec3.of(there.inside(there.columnOf(place), there.rowOf(place)));
+                        if (isOpen(place, to, Vec3.of(there.normal()), layout.brushOf()[other])) {
+                            pair.join(at, other, there.columnOf(place), there.rowOf(place));
+                        }
+                    }
+                }
+            }
+        }
     }
 
     private boolean isOpen(Vec3 from, Vec3 to, Vec3 normal, int brush) {

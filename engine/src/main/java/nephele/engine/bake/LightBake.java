@@ -126,7 +126,7 @@ public final class LightBake {
      */
     public record Error(double median, double percentile99) {}
 
-    private LightBake(PlacedLevel placed, Settings settings) {
+    private LightBake(PlacedLevel placed, Settings settings, LightMapLayout layout) {
         this.settings = settings;
         Level level = placed.level();
         StaticShapes statics = placed.statics().split(SkyVisibility.MODEL_EDGE_METRES);
@@ -135,7 +135,7 @@ public final class LightBake {
         sources = Daylight.moves(level.environment()) ? GatherRays.Sources.LAMPS : GatherRays.Sources.ALL;
         hasSun = level.environment().sun() != null && sources == GatherRays.Sources.ALL;
         panorama = sources == GatherRays.Sources.ALL ? panorama(level, statics.bounds()) : null;
-        receivers = new Receivers(LightMapLayout.of(statics.solids()), statics);
+        receivers = new Receivers(layout, statics);
         List<Light> lamps = traced.lamps();
         names = new ArrayList<>(List.of(""));
         lamps.stream().map(Light::layer).filter(Objects::nonNull).distinct().forEach(names::add);
@@ -175,7 +175,12 @@ public final class LightBake {
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
     public static LightBake of(PlacedLevel placed, Settings settings) {
-        return new LightBake(placed, settings);
+        return of(placed, settings, LightMapLayout.of(placed.statics().solids()));
+    }
+
+    /** Prepares the bake of a level with texels of a layout of its solids. */
+    public static LightBake of(PlacedLevel placed, Settings settings, LightMapLayout layout) {
+        return new LightBake(placed, settings, layout);
     }
 
     /** Returns the number of blocks that a {@link Checkpoint} may hold. */
@@ -197,6 +202,8 @@ public final class LightBake {
         boolean[] isFree = new boolean[receivers.count()];
         inParallel(done -> progress.accept(done / 4), (ray, block) -> gatherDirect(ray, block, isFree));
         receivers.standIn(isFree);
+        int length = Gathered.VALUES * names.size();
+        System.arraycopy(receivers.joined(direct, length), 0, direct, 0, direct.length);
         new BounceLinks(this).balance(done -> progress.accept(0.25 + 0.75 * done));
         double sum = 0;
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
@@ -267,7 +274,7 @@ public final class LightBake {
             }
         });
         float[] filtered = new NoiseFilter(receivers, length, indirect, absolute()).filtered();
-        System.arraycopy(filtered, 0, indirect, 0, filtered.length);
+        System.arraycopy(receivers.joined(filtered, length), 0, indirect, 0, filtered.length);
     }
 
     private float[] absolute() {

@@ -167,6 +167,37 @@ final class Receivers {
         }
     }
 
+    /**
+     * Returns values in which each texel at the edge of a chart is the mean of itself and of what charts that go on there
+     * have beside it.
+     *
+     * @param stride values of a receiver
+     */
+    float[] joined(float[] values, int stride) {
+        float[] joined = values.clone();
+        IntStream.range(0, firstOfChart.length).parallel().forEach(index -> {
+            int[] corners = new int[CORNERS];
+            double[] weights = new double[CORNERS];
+            int[] counts = new int
+                    [layout.charts().get(index).columns()
+                            * layout.charts().get(index).rows()];
+            coplanar.forEdges(index, (at, other, column, row) -> {
+                LightMapChart there = layout.charts().get(other);
+                bilinear(column, row, there.columns(), there.rows(), firstOfChart[other], corners, weights);
+                int to = stride * (firstOfChart[index] + at);
+                counts[at]++;
+                for (int value = 0; value < stride; value++) {
+                    double beside = 0;
+                    for (int i = 0; i < CORNERS; i++) {
+                        beside += weights[i] * values[stride * standIn[corners[i]] + value];
+                    }
+                    joined[to + value] += (float) ((beside - joined[to + value]) / (counts[at] + 1));
+                }
+            });
+        });
+        return joined;
+    }
+
     /** Returns the receiver whose light a receiver has. */
     int standsFor(int receiver) {
         return standIn[receiver];

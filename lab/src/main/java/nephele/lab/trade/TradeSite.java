@@ -8,6 +8,7 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.LightTransport;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -122,8 +123,13 @@ public final class TradeSite implements AutoCloseable {
      * folder.
      */
     public LinearPicture reference() {
+        return reference(LightTransport.DIRECT);
+    }
+
+    /** Returns that picture with light that is followed farther. */
+    public LinearPicture reference(LightTransport light) {
         int threads = Runtime.getRuntime().availableProcessors();
-        var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
+        var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads, light);
         var eye = TracedPictures.pinhole(viewpoint.view());
         return new TracedPictures(folder, Provenance.codeHash())
                 .picture(TracedPictures.levelHash(opened), eye, settings, () -> trace(eye, settings));

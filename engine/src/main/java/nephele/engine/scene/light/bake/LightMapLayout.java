@@ -40,6 +40,16 @@ public record LightMapLayout(
     }
 
     static LightMapLayout of(List<Brush> brushes, int wanted) {
+        return of(brushes, wanted, TEXEL_METRES);
+    }
+
+    /** Lays faces out with texels of another size, unless the level is too large for them. */
+    public static LightMapLayout withTexels(List<Brush> brushes, double texelMetres) {
+        double finer = TEXEL_METRES / texelMetres;
+        return of(brushes, (int) Math.max(MAX_TEXELS, MAX_TEXELS * finer * finer), texelMetres);
+    }
+
+    private static LightMapLayout of(List<Brush> brushes, int wanted, double leastMetres) {
         FaceFragments fragments = FaceFragments.of(brushes);
         long fewest = texels(brushes, fragments, Double.POSITIVE_INFINITY);
         long most = Math.max(wanted, fewest + fewest / 4);
@@ -47,7 +57,7 @@ public record LightMapLayout(
         while ((long) side * side < 4 * most) {
             side *= 2;
         }
-        double texel = TEXEL_METRES;
+        double texel = leastMetres;
         while (true) {
             if (texels(brushes, fragments, texel) <= most) {
                 LightMapLayout layout = tryAt(brushes, fragments, texel, side);
