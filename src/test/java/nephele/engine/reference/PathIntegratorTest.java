@@ -168,6 +168,30 @@ class PathIntegratorTest {
         assertEquals(star, seen[1] - direct[1], 1e-4 * star);
     }
 
+    /** A lamp between two mirrors at right angles has three images, one of them through both in either order. */
+    @Test
+    void aLampInACornerOfMirrorsHasThreeImages() {
+        double albedo = 1e-3;
+        TestLevel level = new TestLevel()
+                .skyLight()
+                .material(new Material("mirror", TestLevel.grey(1), null, null, null, null, Vec3.ZERO, 1, true))
+                .material("wall", TestLevel.grey(albedo))
+                .light(new Light.Point("lamp", new Vec3(0.5, 1, 0.7), TestLevel.grey(3), 100, true))
+                .box("wall", new Vec3(2, -0.1, 2), new Vec3(4, 0.2, 4))
+                .box("mirror", new Vec3(-0.1, 1.5, 2), new Vec3(0.2, 3, 4))
+                .box("mirror", new Vec3(2, 1.5, -0.1), new Vec3(4, 3, 0.2));
+        Vec3 place = new Vec3(0.6, 0, 0.4);
+        double wanted = 0;
+        for (Vec3 image : List.of(
+                new Vec3(0.5, 1, 0.7), new Vec3(-0.5, 1, 0.7), new Vec3(0.5, 1, -0.7), new Vec3(-0.5, 1, -0.7))) {
+            double metres = image.minus(place).length();
+            wanted += albedo / Math.PI * 3 / (metres * metres * metres);
+        }
+        Mean mean = Mean.of(level, Traced.eye(new Vec3(2, 2, 2), place, 1e-4), 64, 1);
+        assertEquals(wanted, mean.value, MOST_SIGMAS * mean.error + 2e-3 * wanted, mean.toString());
+        assertTrue(mean.error < 0.01 * wanted, mean.toString());
+    }
+
     /** A quarter of a room between two mirrors is as bright as the whole room. */
     @Test
     void mirrorsLightAsTheRoomsInThemDo() {
