@@ -86,7 +86,10 @@ public record FrameRequest(
         boolean isAmbient = LightRequirements.skyShines(level)
                 || constant != null && !constant.equals(Vec3.ZERO)
                 || lightMaps.bakes(LightMaps.Baked.BOUNCED);
-        return quality.contact() == Quality.Contact.ON && output != Output.PLAIN && isAmbient && (hasBodies() || mayShowCharacter());
+        return quality.contact() == Quality.Contact.ON
+                && output != Output.PLAIN
+                && isAmbient
+                && (hasBodies() || mayShowCharacter());
     }
 
     public boolean mayShowCharacter() {
