@@ -45,15 +45,19 @@ final class StatusBar extends JPanel {
         refresh();
     }
 
-    /** Half a hint helps nobody: beside a message it is whole or not there. */
+    /** Half a hint helps nobody: beside a message it is whole or not there, and the progress of a bake gives way to it. */
     @Override
     public void doLayout() {
         int numbers = grid.getPreferredSize().width
-                + bake.getPreferredSize().width
                 + Math.max(UIScale.scale(130), place.getPreferredSize().width)
                 + UIScale.scale(60);
         int texts = message.getPreferredSize().width + hint.getPreferredSize().width;
         boolean isVisible = message.getText().isBlank() || texts + numbers <= getWidth();
+        boolean hasRoom = texts + numbers + bake.getPreferredSize().width <= getWidth();
+        boolean isBakeVisible = !bake.getText().isEmpty() && hasRoom;
+        if (bake.isVisible() != isBakeVisible) {
+            bake.setVisible(isBakeVisible);
+        }
         if (hint.isVisible() != isVisible) {
             hint.setVisible(isVisible);
         }
@@ -67,7 +71,6 @@ final class StatusBar extends JPanel {
         show(message, session.status().in(language));
         showHint();
         bake.setText(session.bake().in(language));
-        bake.setVisible(!bake.getText().isEmpty());
         String step = number(session.grid().stepMetres(), "%.3f").replaceAll("\\.?0+$", "");
         grid.setText(WindowText.GRID.with(step).in(language));
     }

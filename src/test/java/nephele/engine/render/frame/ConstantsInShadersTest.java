@@ -31,6 +31,8 @@ class ConstantsInShadersTest {
     /** Counts of a level and settings of quality, as they stand in the sources. */
     private static final Set<String> COUNTS_AND_SETTINGS = Set.of(
             "materialsPerBlock",
+            "maps.layers(",
+            "contactSpheres",
             "exits.size(",
             "look.surfaces(",
             "context.ranges(",

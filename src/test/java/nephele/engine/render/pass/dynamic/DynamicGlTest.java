@@ -169,7 +169,7 @@ class DynamicGlTest {
         Level level =
                 white().box("white", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20)).level();
         Posture character = new Posture(new Vec3(0, 0.9, 0), new Vec3(0, 1, 0), 0, 0, 1.8, 0, 0, 0, 0, 0);
-        RenderSettings played = settings(Output.DIRECT).with(CharacterPresence.POSSIBLE);
+        RenderSettings played = settings(Output.PLAIN).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer = LevelRenderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
             View within = offscreen.view(new Vec3(0, 1.65, 0), new Vec3(0, 1.65, -1));

@@ -119,7 +119,7 @@ public record LightKey(String fileName, List<String> assetIds) {
                 number(picture.rotationDegrees());
                 number(picture.scaleU());
                 number(picture.scaleV());
-                words.writeInt(face.textureMapping().ordinal());
+                words.writeUTF(String.valueOf(face.textureMapping()));
                 material(face.material());
             }
         }
