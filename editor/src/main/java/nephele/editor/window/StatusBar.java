@@ -26,7 +26,7 @@ final class StatusBar extends JPanel {
 
     StatusBar(EditorSession session) {
         super(new MigLayout(
-                "insets 3 8 3 8, fillx, gapx 8, hidemode 3", "[0:pref:][0:pref:,grow,left][][][][][130lp::]", "[]"));
+                "insets 3 8 3 8, fillx, gapx 8, hidemode 3", "[0:pref:][0:pref:,grow,left][][][][][]", "[]"));
         this.session = session;
         message.setName("message");
         hint.setName("hint");
@@ -41,7 +41,7 @@ final class StatusBar extends JPanel {
         add(grid, "wmin pref");
         add(new JSeparator(SwingConstants.VERTICAL), "growy");
         // The message and the hint give way, the numbers do not.
-        add(place, "wmin pref, growx");
+        add(place, "width 130lp::, growx");
         refresh();
     }
 
