@@ -98,12 +98,14 @@ class ShardedRenderTest {
 
     @Test
     void aKilledRunGoesOnToTheBytesOfAnUninterruptedOne() throws IOException {
-        traced("whole.pfm");
+        // Six tiles of one size: whichever a thread finishes first, half of the bytes hold two of them.
+        String[] size = {"--size", "48x32"};
+        traced("whole.pfm", size);
         // All tiles of the picture are in the part of its only shard; what a killed run leaves is a beginning of it.
-        traced("w.pfm", "--shard", "1/1");
+        traced("w.pfm", "--shard", "1/1", "--size", "48x32");
         byte[] all = bytes("w.pfm.1-of-1.part");
         Files.write(folder.resolve("again.pfm.part"), Arrays.copyOf(all, all.length / 2));
-        Captured answer = traced("again.pfm");
+        Captured answer = traced("again.pfm", size);
         assertTrue(answer.err().contains("resumed at 33 %"), answer.err());
         assertArrayEquals(bytes("whole.pfm"), bytes("again.pfm"));
         assertFalse(Files.exists(folder.resolve("again.pfm.part")), "a finished picture needs no part");

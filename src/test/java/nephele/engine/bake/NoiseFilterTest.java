@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 /** The filter of baked light takes noise, not light. */
 class NoiseFilterTest {
-    /** As light that few rays find, the noise is mostly darker than its mean and sometimes much brighter. */
+    /** The noise is mostly darker than its mean and sometimes much brighter, as that of light which few rays find. */
     @Test
     void rareBrightTexelsAreSpreadNotLost() {
         StaticShapes statics = PlacedLevel.of(

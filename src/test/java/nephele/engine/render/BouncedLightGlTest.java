@@ -8,7 +8,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.probe.FormulaLight;
+import nephele.engine.scene.probe.ChartLight;
 import org.junit.jupiter.api.Test;
 
 /** Moving things in rooms whose walls have baked light. */
@@ -43,7 +43,7 @@ class BouncedLightGlTest {
 
     @Test
     void cubeReflectsTheLightOfTheWalls() {
-        float[] rgb = middle(FormulaLight.scene(room.cube("cube", Vec3.ZERO, 1), chart -> LIGHT));
+        float[] rgb = middle(ChartLight.scene(room.cube("cube", Vec3.ZERO, 1), chart -> LIGHT));
         assertEquals(OF_CUBE * OF_WALLS * LIGHT.x(), rgb[0], 2e-2 * rgb[0]);
         assertEquals(OF_CUBE * OF_WALLS * LIGHT.y(), rgb[1], 2e-2 * rgb[1]);
         assertEquals(OF_CUBE * OF_WALLS * LIGHT.z(), rgb[2], 2e-2 * rgb[2]);
@@ -53,9 +53,9 @@ class BouncedLightGlTest {
     @Test
     void metalReflectsWhatItMirrors() {
         float[] rgb = middle(
-                FormulaLight.scene(room.cube("metal", Vec3.ZERO, 1), chart -> chart.z() > 1.99 ? LIGHT : Vec3.ZERO));
+                ChartLight.scene(room.cube("metal", Vec3.ZERO, 1), chart -> chart.z() > 1.99 ? LIGHT : Vec3.ZERO));
         float[] aside = middle(
-                FormulaLight.scene(room.cube("metal", Vec3.ZERO, 1), chart -> chart.z() < -1.99 ? LIGHT : Vec3.ZERO));
+                ChartLight.scene(room.cube("metal", Vec3.ZERO, 1), chart -> chart.z() < -1.99 ? LIGHT : Vec3.ZERO));
         assertEquals(0, aside[0], 0.01 * rgb[0], "from behind the cube");
         double ofRoom = OF_CUBE * OF_WALLS * LIGHT.x();
         assertTrue(rgb[0] > 0.3 * ofRoom && rgb[0] < 0.8 * ofRoom, rgb[0] + " of " + ofRoom);

@@ -20,7 +20,7 @@ final class CoplanarCharts {
 
     private final LightMapLayout layout;
     private final Occluders occluders;
-    /** For each chart those in its plane whose bounds meet the reach of its texels. */
+    /** The charts in the plane of each chart whose bounds meet the reach of its texels. */
     private final int[][] near;
 
     CoplanarCharts(LightMapLayout layout, Occluders occluders) {

@@ -77,10 +77,12 @@ public final class LightBake {
     private final int[] layerOfLamp;
 
     private final boolean hasSun;
-    /** For each receiver and layer {@link Gathered#VALUES} values; direct light, then indirect light. */
+    /** Light straight from sun and lamps: {@link Gathered#VALUES} values for each receiver and layer. */
     private final float[] direct;
 
+    /** Light that comes otherwise, in the same order. */
     private final float[] indirect;
+
     private final float[] errors;
     private double mean;
 

@@ -56,7 +56,7 @@ final class Receivers {
     private final int[][] cornerAt;
 
     private final int count;
-    /** For each receiver the one whose light it has: itself unless it is inside something. */
+    /** The receiver whose light each receiver has: itself unless it is inside something. */
     private final int[] standIn;
 
     /**

@@ -28,7 +28,7 @@ final class AirShade {
 
     private final AirTables tables;
     private final ShaftLight light;
-    /** Those with shafts; {@code null} for none. */
+    /** The clouds whose shadows show in the air; {@code null} for none. */
     private final LevelClouds clouds;
 
     private final Predicate<Ray> walls;

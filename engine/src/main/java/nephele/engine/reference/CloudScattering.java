@@ -25,7 +25,7 @@ final class CloudScattering {
     private final CloudMedia media;
     private final Surroundings around;
     private final List<PunctualLight> lamps;
-    /** Those of the clouds around the lamps; without direction where none is. */
+    /** The phase function of the cloud around each lamp; isotropic for a lamp in no cloud. */
     private final Map<PunctualLight, PhaseFunction> phases = new HashMap<>();
 
     /** @param around walls and portals that stop straight light, and the light from outside */

@@ -38,10 +38,12 @@ public final class TracedLevel {
     private final Optional<LevelClouds> clouds;
     private final boolean sunCastsShadow;
     private final Optional<AirOfEnvironment> air;
-    /** For direct light. */
+    /** The shadows of clouds in the air. */
     private final Optional<AirShade> shade;
 
+    /** The shadows of clouds and of walls, which paths with bounces see. */
     private final Optional<AirShade> shadeWithWalls;
+
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final EmissiveSurfaces emissive;

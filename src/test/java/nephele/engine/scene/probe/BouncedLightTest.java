@@ -131,7 +131,7 @@ class BouncedLightTest {
 
     @Test
     void layersAreDimmedApart() {
-        Scene one = FormulaLight.scene(room(-4, 4), chart -> grey(1));
+        Scene one = ChartLight.scene(room(-4, 4), chart -> grey(1));
         IndirectLight.Layer shining = one.light().indirect().layers().get(0);
         var lamp = new IndirectLight.Layer(
                 "lamp", IndirectLight.Course.DIRECT, shining.texels(), shining.vertices(), shining.grounds());
@@ -198,7 +198,7 @@ class BouncedLightTest {
     }
 
     private static SkyProbes probes(TestLevel level, Function<Vec3, Vec3> light) {
-        return probes(FormulaLight.scene(level, light));
+        return probes(ChartLight.scene(level, light));
     }
 
     private static SkyProbes probes(Scene scene) {

@@ -32,13 +32,13 @@ public record LightMaps(
     public enum Baked {
         /** Light that other surfaces have reflected or emit; it is in every bake. */
         BOUNCED,
-        /** The sky's, which is drawn live otherwise. */
+        /** Light of the sky, which is drawn live otherwise. */
         SKY,
-        /** That straight from sun or lamps: the following ones are in it. */
+        /** Light straight from {@link #SUN} or {@link #LAMPS}, or both. */
         DIRECT,
         SUN,
         LAMPS,
-        /** Not light, but whence it comes, for normals that a normal map tilts. */
+        /** Mean directions of the light, for normals that a normal map tilts. */
         DIRECTIONS,
         /** All but {@link #DIRECT} once more, for glossy surfaces, which would mirror a sun as wide as the sky. */
         MIRRORED

@@ -117,7 +117,7 @@ public final class SummedLight {
         /** A texel of what new surfaces look like. */
         private final Texture newGround;
 
-        /** Of every vertex of every model, a word for each layer of the textures. */
+        /** The packed light of all vertices of all models: for each layer of the textures one word a vertex. */
         private List<int[]> vertices;
 
         private int[] ofNew;

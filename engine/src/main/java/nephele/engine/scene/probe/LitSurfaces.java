@@ -54,13 +54,13 @@ public final class LitSurfaces {
     private final LightMapLayout layout;
     private final LightMapLookup lookup;
     private final List<List<List<FaceFragment>>> fragments;
-    /** By solid, face and fragment; filled when a solid is first hit. */
+    /** Places in the light map by solid, face and fragment; filled when a solid is first hit. */
     private final LightMapLookup.Spot[][][] spots;
     /** The place of a model's first vertex among those baked; models that were not baked have none and are black. */
     private final Map<PlacedModel, Integer> firstVertex = new IdentityHashMap<>();
 
     private final Map<StaticShape.HeightGrid, TerrainLayers> layersOf = new IdentityHashMap<>();
-    /** By index of the material; filled on first use. */
+    /** Mean RGB reflectance by index of the material; filled on first use. */
     private final double[][] reflectances;
 
     private final double[] reflectance = new double[RGB];

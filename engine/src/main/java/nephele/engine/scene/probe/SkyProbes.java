@@ -59,7 +59,7 @@ public final class SkyProbes {
     private int values;
 
     private Map<String, Double> gains = Map.of();
-    /** By layer of {@link #surfaces}. */
+    /** The gain of each layer of {@link #surfaces}. */
     private double[] gainOf;
 
     private long version;

@@ -38,7 +38,7 @@ public final class ProbeSubject implements Experiment {
     private static final int PLACES = 200;
     private static final int WALKS = 40;
     private static final double WALK_METRES = 2;
-    /** That of a player at 60 frames a second. */
+    /** The way of a walking player in one of 60 frames a second. */
     private static final double STEP_METRES = 4 / 60.0;
 
     /** Bodies keep as far from walls. */

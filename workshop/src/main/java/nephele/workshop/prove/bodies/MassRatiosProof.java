@@ -51,13 +51,10 @@ public final class MassRatiosProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
+        return ProofResult.ofUnits(from, count, progress, unit -> {
             int rate = RATES[(int) (unit % RATES.length)];
-            result = result.and(stack((int) (unit / RATES.length)).run(rate, seconds));
-            progress.unitsDone(unit + 1 - from);
-        }
-        return result;
+            return stack((int) (unit / RATES.length)).run(rate, seconds);
+        });
     }
 
     private static Stack stack(int number) {

@@ -56,13 +56,10 @@ public final class PilesProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         warm();
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
+        return ProofResult.ofUnits(from, count, progress, unit -> {
             BoxPile.Family family = FAMILIES[(int) (unit % FAMILIES.length)];
-            result = result.and(Run.run(family, (int) (unit / FAMILIES.length)));
-            progress.unitsDone(unit + 1 - from);
-        }
-        return result;
+            return Run.run(family, (int) (unit / FAMILIES.length));
+        });
     }
 
     private void warm() {

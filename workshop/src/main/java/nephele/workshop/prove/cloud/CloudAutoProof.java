@@ -96,14 +96,9 @@ public final class CloudAutoProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
         try (GlContext gl = GlContext.offscreen()) {
-            for (long unit = from; unit < from + count; unit++) {
-                result = result.and(compared(gl, caseOf((int) unit, TOLERANCE)));
-                progress.unitsDone(unit + 1 - from);
-            }
+            return ProofResult.ofUnits(from, count, progress, unit -> compared(gl, caseOf((int) unit, TOLERANCE)));
         }
-        return result;
     }
 
     private ProofResult compared(GlContext gl, Case one) {

@@ -50,15 +50,12 @@ public final class CloudVolumeProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
         try (GlContext gl = GlContext.offscreen()) {
-            for (long unit = from; unit < from + count; unit++) {
+            return ProofResult.ofUnits(from, count, progress, unit -> {
                 ReferenceCase exact = ReferenceCase.named(CASES.get((int) unit));
-                result = result.and(compared(gl, exact, SIDE, ROUNDS)).and(retraced(exact));
-                progress.unitsDone(unit + 1 - from);
-            }
+                return compared(gl, exact, SIDE, ROUNDS).and(retraced(exact));
+            });
         }
-        return result;
     }
 
     /** @param rounds of timing; 0 for none */

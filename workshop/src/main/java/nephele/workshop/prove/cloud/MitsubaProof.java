@@ -58,13 +58,10 @@ public final class MitsubaProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
+        return ProofResult.ofUnits(from, count, progress, unit -> {
             ReferenceCase scene = ReferenceCase.named(cases.get((int) unit));
-            result = result.and(judged(scene.name(), TracedArea.whole(scene, samples, unit, fraction -> {})));
-            progress.unitsDone(unit + 1 - from);
-        }
-        return result;
+            return judged(scene.name(), TracedArea.whole(scene, samples, unit, fraction -> {}));
+        });
     }
 
     private ProofResult judged(String name, TracedArea whole) {

@@ -72,12 +72,7 @@ public final class SkySweepProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
-            result = result.and(stretch(unit));
-            progress.unitsDone(unit - from + 1);
-        }
-        return result;
+        return ProofResult.ofUnits(from, count, progress, unit -> stretch(unit));
     }
 
     private ProofResult stretch(long unit) {

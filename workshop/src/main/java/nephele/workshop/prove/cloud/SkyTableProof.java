@@ -63,13 +63,10 @@ public final class SkyTableProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
+        return ProofResult.ofUnits(from, count, progress, unit -> {
             double[] place = unit < CHOSEN.length ? CHOSEN[(int) unit] : random(unit);
-            result = result.and(compared(unit, place[0], place[1]));
-            progress.unitsDone(unit - from + 1);
-        }
-        return result;
+            return compared(unit, place[0], place[1]);
+        });
     }
 
     /** Returns a height, half of them below 10 km, and an elevation of the sun, half of them below 10 degrees. */

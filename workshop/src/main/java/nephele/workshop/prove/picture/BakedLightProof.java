@@ -120,16 +120,11 @@ public final class BakedLightProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(
                         gl, "picture", PixelFormat.RGBA8, LitTally.FINER * width, LitTally.FINER * height)) {
-            for (long unit = from; unit < from + count; unit++) {
-                result = result.and(compared(cases().get((int) unit), gl, picture));
-                progress.unitsDone(unit + 1 - from);
-            }
+            return ProofResult.ofUnits(from, count, progress, unit -> compared(cases().get((int) unit), gl, picture));
         }
-        return result;
     }
 
     private ProofResult compared(String name, GlContext gl, RenderTarget picture) {

@@ -74,12 +74,7 @@ public final class LeaksProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
-            result = result.and(judged(unit));
-            progress.unitsDone(unit + 1 - from);
-        }
-        return result;
+        return ProofResult.ofUnits(from, count, progress, unit -> judged(unit));
     }
 
     /** Balances the noon alone, which takes a third of the time: what its last gathering adds leaks from a lamp too. */

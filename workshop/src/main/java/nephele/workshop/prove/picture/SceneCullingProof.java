@@ -62,15 +62,10 @@ public final class SceneCullingProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, SIZE, SIZE)) {
-            for (long unit = from; unit < from + count; unit++) {
-                result = result.and(compared(unit, gl, picture));
-                progress.unitsDone(unit + 1 - from);
-            }
+            return ProofResult.ofUnits(from, count, progress, unit -> compared(unit, gl, picture));
         }
-        return result;
     }
 
     private static ProofResult compared(long unit, GlContext gl, RenderTarget picture) {

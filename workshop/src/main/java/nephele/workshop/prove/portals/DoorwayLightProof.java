@@ -73,12 +73,7 @@ public final class DoorwayLightProof implements Proof {
 
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
-        for (long unit = from; unit < from + count; unit++) {
-            result = result.and(judged(unit));
-            progress.unitsDone(unit + 1 - from);
-        }
-        return result;
+        return ProofResult.ofUnits(from, count, progress, unit -> judged(unit));
     }
 
     private ProofResult judged(long unit) {

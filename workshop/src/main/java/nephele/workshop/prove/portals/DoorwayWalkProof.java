@@ -66,16 +66,13 @@ public final class DoorwayWalkProof implements Proof {
     /** Runs units; unit n goes through n modulo 4 doors. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
-        ProofResult result = ProofResult.NOTHING;
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height)) {
-            for (long unit = from; unit < from + count; unit++) {
+            return ProofResult.ofUnits(from, count, progress, unit -> {
                 Manner manner = Manner.values()[(int) (unit / (MOST_DOORS + 1)) % Manner.values().length];
-                result = result.and(walk(gl, picture, (int) (unit % (MOST_DOORS + 1)), manner));
-                progress.unitsDone(unit + 1 - from);
-            }
+                return walk(gl, picture, (int) (unit % (MOST_DOORS + 1)), manner);
+            });
         }
-        return result;
     }
 
     private ProofResult walk(GlContext gl, RenderTarget picture, int doors, Manner manner) {

@@ -3,6 +3,7 @@ package nephele.workshop.prove.proof;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 
 /**
  * The result of a range of units.
@@ -28,6 +29,22 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
 
     public static ProofResult of(long units, List<String> failures, Figure... figures) {
         return of(units, failures, List.of(figures));
+    }
+
+    /**
+     * Judges units one after another.
+     *
+     * @param progress told after each of them
+     * @return the results of all as one
+     */
+    public static ProofResult ofUnits(
+            long from, long count, Proof.Progress progress, LongFunction<ProofResult> judged) {
+        ProofResult result = NOTHING;
+        for (long unit = from; unit < from + count; unit++) {
+            result = result.and(judged.apply(unit));
+            progress.unitsDone(unit + 1 - from);
+        }
+        return result;
     }
 
     public boolean holds() {

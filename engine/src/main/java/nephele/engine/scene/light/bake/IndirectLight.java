@@ -18,9 +18,9 @@ public record IndirectLight(SkyLight sky, List<Layer> layers) {
 
     /** How the light of a layer has come to its surfaces. */
     public enum Course {
-        /** From the sky, off other surfaces, or from emissive faces. */
+        /** Light from the sky, off other surfaces, or from emissive ones. */
         INDIRECT,
-        /** Straight from sun or lamps, which other qualities draw live. */
+        /** Light straight from sun or lamps, which other qualities draw live. */
         DIRECT
     }
 

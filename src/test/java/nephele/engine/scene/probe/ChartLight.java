@@ -15,9 +15,9 @@ import nephele.engine.scene.light.bake.LightSamples;
 import nephele.engine.scene.light.bake.PolygonClipping;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
-/** Scenes of boxes whose light was not baked but is given by a formula. */
-public final class FormulaLight {
-    private FormulaLight() {}
+/** Scenes of boxes under no sky, each chart of which has one light that a formula gives. */
+public final class ChartLight {
+    private ChartLight() {}
 
     /**
      * Returns the scene of a level, under no sky.
