@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Random;
 import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
@@ -55,24 +56,48 @@ class ReciprocalBrdfTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 1})
+    void noColourReflectsMoreThanAllLight(double roughness) {
+        for (double cosine : new double[] {0.01, 0.2, 0.5, 1}) {
+            for (Vector3d colour : List.of(new Vector3d(1, 0, 0.5), new Vector3d(1, 0.9, 0.99))) {
+                for (double metallic : new double[] {0, 0.5, 1}) {
+                    SurfacePoint surface = surface(colour, roughness, metallic, direction(cosine, 0.3));
+                    for (int channel = 0; channel < 3; channel++) {
+                        Albedo albedo = Albedo.of(surface, channel, SAMPLES / 4);
+                        assertTrue(albedo.mean < 1.002 + 4 * albedo.error, colour + ", " + cosine + ": " + albedo);
+                    }
+                }
+            }
+        }
+    }
+
+    /** The share of light that a surface reflects in one channel, and its standard error. */
+    private record Albedo(double mean, double error) {
+        static Albedo of(SurfacePoint surface, int channel, int samples) {
+            BrdfSampling sampling = new BrdfSampling(surface);
+            SplittableRandom random = new SplittableRandom(5);
+            double sum = 0;
+            double squares = 0;
+            for (int i = 0; i < samples; i++) {
+                Vector3d towards = sampling.direction(random);
+                double weight =
+                        towards.y <= 0 ? 0 : surface.reflected(towards).get(channel) / sampling.density(towards);
+                sum += weight;
+                squares += weight * weight;
+            }
+            double mean = sum / samples;
+            return new Albedo(mean, Math.sqrt(Math.max(0, squares / samples - mean * mean) / samples));
+        }
+    }
+
     /** Where one scattering is all but everything, near the horizon the rest is left out. */
     private static void requireAllLight(SurfacePoint surface, String what) {
-        BrdfSampling sampling = new BrdfSampling(surface);
-        SplittableRandom random = new SplittableRandom(5);
-        double sum = 0;
-        double squares = 0;
-        for (int i = 0; i < SAMPLES; i++) {
-            Vector3d towards = sampling.direction(random);
-            double weight = towards.y <= 0 ? 0 : surface.reflected(towards).x / sampling.density(towards);
-            sum += weight;
-            squares += weight * weight;
-        }
-        double mean = sum / SAMPLES;
-        double error = Math.sqrt(Math.max(0, squares / SAMPLES - mean * mean) / SAMPLES);
+        Albedo albedo = Albedo.of(surface, 0, SAMPLES);
         boolean isSharp = surface.gloss().alpha2() < 1e-3 && surface.toEye().y() < 0.1;
-        assertEquals(1, mean, 4 * error + (isSharp ? 0.05 : 0.002), what);
-        assertTrue(mean < 1.002 + 4 * error, what);
-        assertTrue(error < 0.01, what + ": " + error);
+        assertEquals(1, albedo.mean, 4 * albedo.error + (isSharp ? 0.05 : 0.002), what);
+        assertTrue(albedo.mean < 1.002 + 4 * albedo.error, what);
+        assertTrue(albedo.error < 0.01, what + ": " + albedo.error);
     }
 
     /** A density that is not the sampler's would shift every estimate that is divided by it. */

@@ -72,9 +72,6 @@ class RenderFeaturesTest {
                         .castingSun(new Vec3(0, 1, 0), 1)
                         .cube(null, Vec3.ZERO, 1)
                         .level());
-        causes.put(
-                "shadow.contact",
-                new TestLevel().ambient(1).cube(null, Vec3.ZERO, 1).level());
         Billboards bush = Billboards.at("b", "b.png", Billboards.Facing.CYLINDRICAL, 1, 1, List.of(Vec3.ZERO));
         causes.put("impostor", new TestLevel().impostor("box_1_1.3d", null).level());
         causes.put("billboard", new TestLevel().billboards(bush).level());

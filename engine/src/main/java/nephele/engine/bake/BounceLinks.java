@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import nephele.engine.math.Hash64;
+import nephele.engine.math.Vec3;
 import nephele.engine.reference.GatherRays;
 import org.joml.Vector3dc;
 
@@ -15,10 +16,10 @@ import org.joml.Vector3dc;
 final class BounceLinks {
     private static final int MOST_RAYS = 64;
 
-    private static final int LEAST_RAYS = 16;
+    private static final int LEAST_RAYS = 8;
 
     /** The number of all links, unless that is too few or too many for a receiver. */
-    private static final int LINKS = 4_000_000;
+    private static final int LINKS = 1_500_000;
 
     /** The change of all light, as a share of it, at which it is balanced. */
     private static final double BALANCED = 1e-5;
@@ -39,6 +40,9 @@ final class BounceLinks {
 
     private final int[] ends;
     private final short[] reflectances;
+    /** The luminance that each ray met without that of the receiver at its end. */
+    private final float[] met;
+
     /** The light that comes from elsewhere than from receivers, or is reflected once from direct light. */
     private final float[] first;
 
@@ -52,6 +56,7 @@ final class BounceLinks {
         rays = Math.max(LEAST_RAYS, Math.min(LINKS / Math.max(1, receivers.count()), MOST_RAYS));
         ends = new int[rays * receivers.count()];
         reflectances = new short[CHANNELS * ends.length];
+        met = new float[ends.length];
         first = new float[CHANNELS * layers * receivers.count()];
     }
 
@@ -65,6 +70,7 @@ final class BounceLinks {
             change = step();
             progress.accept(1);
         }
+        teach(bake.guide());
         float[] indirect = bake.indirect();
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
             for (int layer = 0; layer < layers; layer++) {
@@ -83,18 +89,21 @@ final class BounceLinks {
             if (spot.places().isEmpty()) {
                 continue;
             }
-            SplittableRandom random = new SplittableRandom(Hash64.combine(receiver, 0));
+            SplittableRandom random = random(receiver);
             long shift = random.nextLong();
             Gathered sum = new Gathered(layers);
             int link = rays * receiver;
             for (int i = 0; i < rays; i++) {
                 int at = link + i;
-                bake.addRay(ray, spot, 0, i, random, shift, sum, (end, reflectance, direction, cosine, to) -> {
+                Vec3 place = spot.places().get(5 * i % spot.places().size());
+                RayGuide.Aim aim = RayGuide.Aim.even(shift, i);
+                LightBake.Reflection reflection = (end, reflectance, direction, cosine, to) -> {
                     receivers.around(end, ray, corners, weights);
                     ends[at] = chosen(corners, weights, random.nextDouble());
                     keep(reflectance, at);
                     bake.addReflected(reflectance, direction, cosine, to, bake.direct(), corners, weights);
-                });
+                };
+                met[at] = (float) bake.addRay(ray, place, spot.normal(), aim, random, sum, reflection);
             }
             int at = receiver * Gathered.VALUES * layers;
             sum.write(1.0 / rays, values, 0);
@@ -104,6 +113,37 @@ final class BounceLinks {
                         values, Gathered.VALUES * layer, first, CHANNELS * (receiver * layers + layer), CHANNELS);
             }
         }
+    }
+
+    /** Returns the random numbers of a receiver, of which the first moves its rays. */
+    private static SplittableRandom random(int receiver) {
+        return new SplittableRandom(Hash64.combine(receiver, 0));
+    }
+
+    /** Tells a guide what the rays met, and what balanced light was at their ends. */
+    private void teach(RayGuide guide) {
+        for (int receiver = 0; receiver < receivers.count(); receiver++) {
+            long shift = random(receiver).nextLong();
+            for (int i = 0; i < rays; i++) {
+                int link = rays * receiver + i;
+                guide.learn(receiver, RayGuide.Aim.even(shift, i), met[link] + balanced(link));
+            }
+        }
+        guide.finish();
+    }
+
+    /** Returns the luminance that arrives of the balanced light of the receiver at a link's end. */
+    private double balanced(int link) {
+        double sum = 0;
+        for (int layer = 0; layer < layers && ends[link] >= 0; layer++) {
+            int from = CHANNELS * (ends[link] * layers + layer);
+            int by = CHANNELS * link;
+            sum += Gathered.luminance(
+                    radiance[from] * (reflectances[by] & 0xffff),
+                    radiance[from + 1] * (reflectances[by + 1] & 0xffff),
+                    radiance[from + 2] * (reflectances[by + 2] & 0xffff));
+        }
+        return sum / ONE;
     }
 
     /** Returns one of the corners, each with the probability of its weight; −1 if all weights are 0. */

@@ -50,19 +50,13 @@ public final class LightBake {
     private static final int GROUPS = 8;
 
     /** Rays of each group between two looks at the error. */
-    private static final int ROUND = 16;
-
-    /** The most surfaces without baked light on a ray; what is beyond them is black. */
-    private static final int MOST_OTHERS = 8;
+    private static final int ROUND = 12;
 
     /** The share of the level's mean below which a receiver's error is absolute. */
     private static final double DIM = 0.05;
 
     /** The multiple of the level's mean above which a receiver's error is absolute. */
     private static final double BRIGHT = 1.5;
-
-    /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions (Roberts 2018). */
-    private static final double STEP_ROOT = 1.32471795724474602596;
 
     private final Settings settings;
     private final TracedLevel traced;
@@ -84,6 +78,7 @@ public final class LightBake {
     private final float[] indirect;
 
     private final float[] errors;
+    private final RayGuide guide;
     private double mean;
 
     /**
@@ -148,6 +143,7 @@ public final class LightBake {
         direct = new float[values];
         indirect = new float[values];
         errors = new float[receivers.count()];
+        guide = new RayGuide(receivers);
     }
 
     /** Returns the sky as the top of the level sees it, or {@code null} if that is inside a cloud. */
@@ -331,6 +327,10 @@ public final class LightBake {
         return indirect;
     }
 
+    RayGuide guide() {
+        return guide;
+    }
+
     int lastOf(int block) {
         return Math.min((block + 1) * BLOCK, receivers.count());
     }
@@ -380,41 +380,46 @@ public final class LightBake {
      * Traces one ray of a receiver and adds its light and that of an emissive face. Off surfaces on which no light is
      * baked, as leaves, it goes on in a random direction.
      *
-     * @param index of the ray in its group
-     * @param shift random bits of the group
+     * @param place from which it leaves
+     * @return the luminance that it met, times the weight of its aim
      */
-    void addRay(
+    double addRay(
             GatherRays ray,
-            Receivers.Spot spot,
-            int group,
-            int index,
+            Vec3 place,
+            Vector3dc normal,
+            RayGuide.Aim aim,
             SplittableRandom random,
-            long shift,
             Gathered to,
             Reflection reflection) {
-        Vector3d normal = spot.normal();
-        Vec3 place = spot.places().get((5 * index + 3 * group) % spot.places().size());
-        double u = fraction(unit(shift) + index / STEP_ROOT);
-        double v = fraction(unit(shift << 32) + index / (STEP_ROOT * STEP_ROOT));
-        double cosine = Math.sqrt(1 - u);
-        Vector3d direction = direction(normal, u, v, cosine);
+        double before = to.luminance();
+        double cosine = Math.sqrt(1 - aim.u());
+        Vector3d direction = direction(normal, aim.u(), aim.v(), cosine);
         Vector3d origin = lifted(place, normal);
         GatherRays.End end = ray.trace(origin, direction, random);
-        to.add(0, direction, cosine, ray.arriving(), 1);
+        to.add(0, direction, cosine, ray.arriving(), aim.weight());
         if (luminance(ray.emitted()) > 0) {
-            to.add(0, direction, cosine, ray.emitted(), ray.emittedWeight(cosine, origin));
+            to.add(0, direction, cosine, ray.emitted(), aim.weight() * ray.emittedWeight(cosine, origin));
         }
-        Vector3d reflectance = new Vector3d(ray.reflectance());
-        for (int others = 0; end == GatherRays.End.OTHER && others < MOST_OTHERS; others++) {
+        Vector3d reflectance = new Vector3d(ray.reflectance()).mul(aim.weight());
+        while (end == GatherRays.End.OTHER && survives(reflectance, random)) {
             end = scattered(ray, random, reflectance, direction, cosine, to);
         }
         if (end != GatherRays.End.OPEN && end != GatherRays.End.OTHER) {
             reflection.add(end, reflectance, direction, cosine, to);
         }
+        double met = to.luminance() - before;
         if (ray.hasEmissive()) {
             Vector3d radiance = ray.emission(place, normal, random);
             to.add(0, ray.towards(), ray.towards().dot(normal), radiance, 1);
         }
+        return met;
+    }
+
+    /** Ends a ray with the probability that its end's light is not worth more, and makes up for it (Russian roulette). */
+    private static boolean survives(Vector3d reflectance, SplittableRandom random) {
+        double survival = Math.min(1, reflectance.get(reflectance.maxComponent()));
+        reflectance.div(survival);
+        return random.nextDouble() < survival;
     }
 
     /** Adds the light straight on a ray's end, then traces on from there; changes what the next end's light is worth. */
@@ -465,14 +470,6 @@ public final class LightBake {
                 .fma(radius * StrictMath.sin(angle), up);
     }
 
-    private static double fraction(double x) {
-        return x - Math.floor(x);
-    }
-
-    private static double unit(long bits) {
-        return (bits >>> 11) * 0x1p-53;
-    }
-
     private void gatherIndirect(GatherRays ray, int receiver, float[] balanced, float[] to, int at) {
         Receivers.Spot spot = receivers.spot(receiver);
         if (spot.places().isEmpty()) {
@@ -497,7 +494,10 @@ public final class LightBake {
         while (rays * GROUPS < settings.mostRays() && error > 1) {
             for (int group = 0; group < GROUPS; group++) {
                 for (int i = rays; i < rays + ROUND; i++) {
-                    addRay(ray, spot, group, i, random, shifts[group], groups[group], reflection);
+                    Vec3 place = spot.places()
+                            .get((5 * i + 3 * group) % spot.places().size());
+                    RayGuide.Aim aim = guide.guided(receiver, RayGuide.Aim.even(shifts[group], i));
+                    addRay(ray, place, spot.normal(), aim, random, groups[group], reflection);
                 }
             }
             rays += ROUND;

@@ -17,6 +17,11 @@ public final class Ray {
     private double inverseX;
     private double inverseY;
     private double inverseZ;
+    /** The places of the bounds that the ray meets first, among the six of a box. */
+    private int nearX;
+
+    private int nearY;
+    private int nearZ;
     private boolean castable;
 
     private Ray() {}
@@ -49,6 +54,9 @@ public final class Ray {
         inverseX = 1 / directionX;
         inverseY = 1 / directionY;
         inverseZ = 1 / directionZ;
+        nearX = inverseX > 0 ? 0 : 3;
+        nearY = inverseY > 0 ? 1 : 4;
+        nearZ = inverseZ > 0 ? 2 : 5;
         double largest = Math.max(Math.abs(directionX), Math.max(Math.abs(directionY), Math.abs(directionZ)));
         castable = largest > 0 && largest <= Double.MAX_VALUE && Double.isFinite(originX + originY + originZ);
         return this;
@@ -113,24 +121,20 @@ public final class Ray {
         if (!castable) {
             return Double.POSITIVE_INFINITY;
         }
-        double enter = 0;
         // Finite, so that an unreachable slab (+∞) is beyond it.
-        double leave = Math.min(limit, Double.MAX_VALUE);
-        boolean forwardX = inverseX > 0;
-        boolean forwardY = inverseY > 0;
-        boolean forwardZ = inverseZ > 0;
-        double nearX = (bounds[forwardX ? at : at + 3] - originX) * inverseX;
-        double nearY = (bounds[forwardY ? at + 1 : at + 4] - originY) * inverseY;
-        double nearZ = (bounds[forwardZ ? at + 2 : at + 5] - originZ) * inverseZ;
-        double farX = (bounds[forwardX ? at + 3 : at] - originX) * inverseX * SLAB_GROWTH;
-        double farY = (bounds[forwardY ? at + 4 : at + 1] - originY) * inverseY * SLAB_GROWTH;
-        double farZ = (bounds[forwardZ ? at + 5 : at + 2] - originZ) * inverseZ * SLAB_GROWTH;
-        enter = nearX > enter ? nearX : enter;
-        enter = nearY > enter ? nearY : enter;
-        enter = nearZ > enter ? nearZ : enter;
-        leave = farX < leave ? farX : leave;
-        leave = farY < leave ? farY : leave;
-        leave = farZ < leave ? farZ : leave;
+        double last = Math.min(limit, Double.MAX_VALUE);
+        double enterX = (bounds[at + nearX] - originX) * inverseX;
+        double enterY = (bounds[at + nearY] - originY) * inverseY;
+        double enterZ = (bounds[at + nearZ] - originZ) * inverseZ;
+        double leaveX = (bounds[at + 3 - nearX] - originX) * inverseX * SLAB_GROWTH;
+        double leaveY = (bounds[at + 5 - nearY] - originY) * inverseY * SLAB_GROWTH;
+        double leaveZ = (bounds[at + 7 - nearZ] - originZ) * inverseZ * SLAB_GROWTH;
+        double enter = enterX > 0 ? enterX : 0;
+        enter = enterY > enter ? enterY : enter;
+        enter = enterZ > enter ? enterZ : enter;
+        double leave = leaveX < last ? leaveX : last;
+        leave = leaveY < leave ? leaveY : leave;
+        leave = leaveZ < leave ? leaveZ : leave;
         return enter <= leave ? enter : Double.POSITIVE_INFINITY;
     }
 
@@ -147,25 +151,8 @@ public final class Ray {
         if (!castable) {
             return to;
         }
-        int nearX = inverseX > 0 ? 0 : 3;
-        int nearY = inverseY > 0 ? 1 : 4;
-        int nearZ = inverseZ > 0 ? 2 : 5;
-        double last = Math.min(limit, Double.MAX_VALUE);
         for (int i = from; i < to; i++) {
-            int at = 6 * chosen[i];
-            double enterX = (boxes[at + nearX] - originX) * inverseX;
-            double enterY = (boxes[at + nearY] - originY) * inverseY;
-            double enterZ = (boxes[at + nearZ] - originZ) * inverseZ;
-            double leaveX = (boxes[at + 3 - nearX] - originX) * inverseX * SLAB_GROWTH;
-            double leaveY = (boxes[at + 5 - nearY] - originY) * inverseY * SLAB_GROWTH;
-            double leaveZ = (boxes[at + 7 - nearZ] - originZ) * inverseZ * SLAB_GROWTH;
-            double enter = enterX > 0 ? enterX : 0;
-            enter = enterY > enter ? enterY : enter;
-            enter = enterZ > enter ? enterZ : enter;
-            double leave = leaveX < last ? leaveX : last;
-            leave = leaveY < leave ? leaveY : leave;
-            leave = leaveZ < leave ? leaveZ : leave;
-            if (enter <= leave && enter < Double.POSITIVE_INFINITY) {
+            if (boxEntry(boxes, 6 * chosen[i], limit) < Double.POSITIVE_INFINITY) {
                 return i;
             }
         }

@@ -147,7 +147,7 @@ final class BillboardShape implements TracedShape {
     }
 
     @Override
-    public double entry(Ray ray, double least) {
+    public double entry(Ray ray, double least, double most) {
         Spot spot = spot(ray);
         return spot != null && spot.parameter() >= least ? spot.parameter() : Double.POSITIVE_INFINITY;
     }

@@ -29,7 +29,7 @@ record BodyPiece(int body, BodyShape form, Vec3 centre, Matrix3d worldFromBody, 
         implements TracedShape {
     /** Returns infinity also for a ray that enters through a cut. */
     @Override
-    public double entry(Ray ray, double least) {
+    public double entry(Ray ray, double least, double most) {
         Span inside = span(ray);
         if (!(inside.enter() < inside.leave() && inside.enter() >= least)) {
             return Double.POSITIVE_INFINITY;

@@ -42,15 +42,15 @@ final class GroundShape implements TracedShape {
 
     /** Returns the parameter of the first upper side. */
     @Override
-    public double entry(Ray ray, double least) {
+    public double entry(Ray ray, double least, double most) {
         RayHit hit = new RayHit();
-        return nearest(ray, least, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
+        return nearest(ray, least, most, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
     }
 
-    private boolean nearest(Ray ray, double least, RayHit hit) {
+    private boolean nearest(Ray ray, double least, double most, RayHit hit) {
         return field.nearest(
                 ray,
-                Double.POSITIVE_INFINITY,
+                most,
                 (r, triangle, limit) -> {
                     double parameter = field.entry(r, triangle);
                     return parameter >= least ? parameter : Double.POSITIVE_INFINITY;
@@ -111,10 +111,15 @@ final class GroundShape implements TracedShape {
 
         @Override
         public int at(EyePath path) {
-            RayHit hit = new RayHit();
-            nearest(path.ray(), path.end(), hit);
-            return hit.item();
+            return triangle(path);
         }
+    }
+
+    /** Returns the triangle at the end of a path. */
+    private int triangle(EyePath path) {
+        RayHit hit = new RayHit();
+        nearest(path.ray(), path.end(), TracedItems.BEHIND * path.end(), hit);
+        return hit.item();
     }
 
     /** Returns the weights of the layers at a place. */
@@ -127,9 +132,7 @@ final class GroundShape implements TracedShape {
 
     @Override
     public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
-        RayHit hit = new RayHit();
-        nearest(path.ray(), path.end(), hit);
-        Vector3d faceNormal = field.normal(hit.item()).toVector();
+        Vector3d faceNormal = field.normal(triangle(path)).toVector();
         Vec3 smooth = HeightFieldSurface.normal(field, place.x(), place.z());
         Mixture mixture = new Mixture(smooth);
         double[] weights = weights(place, smooth);

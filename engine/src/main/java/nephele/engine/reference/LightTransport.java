@@ -16,6 +16,9 @@ public record LightTransport(int bounces, boolean passesPortals) {
     /** All light: what is left of a path is decided by Russian roulette alone. */
     public static final LightTransport FULL = new LightTransport(Integer.MAX_VALUE, true);
 
+    /** All light as a bake has it, which no portals let pass. */
+    public static final LightTransport BAKED = new LightTransport(FULL.bounces, false);
+
     public LightTransport {
         if (bounces < 0) {
             throw new IllegalArgumentException("bounces below 0: " + bounces);

@@ -20,7 +20,7 @@ import org.joml.Vector3dc;
  */
 final class TracedItems {
     /** The factor on a hit's parameter beyond which rounding cannot place an item in front of the hit. */
-    private static final double BEHIND = 1 + 1e-9;
+    static final double BEHIND = 1 + 1e-9;
 
     private final TracedShape[] items;
     private final int[] surfaces;
@@ -129,7 +129,7 @@ final class TracedItems {
 
     /** Returns the parameter at which a ray from outside enters a solid; infinity if it does not. */
     double entry(Ray ray, int solid) {
-        return items[solid].entry(ray, 0);
+        return items[solid].entry(ray, 0, Double.POSITIVE_INFINITY);
     }
 
     /**
@@ -140,7 +140,7 @@ final class TracedItems {
      *     result does not depend on it
      */
     boolean nearest(Ray ray, double least, double most, int except, int likely, RayHit hit) {
-        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least);
+        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least, most);
         return behind < most && nearest(ray, least, behind, except, hit) || nearest(ray, least, most, except, hit);
     }
 
@@ -148,7 +148,7 @@ final class TracedItems {
         return index.nearest(
                 ray,
                 most,
-                (r, item, limit) -> item == except ? Double.POSITIVE_INFINITY : items[item].entry(r, least),
+                (r, item, limit) -> item == except ? Double.POSITIVE_INFINITY : items[item].entry(r, least, limit),
                 hit);
     }
 

@@ -10,8 +10,11 @@ sealed interface TracedShape
         permits TracedSolid, BodyPiece, TriangleMeshShape, TriangleMeshShape.Planted, GroundShape, BillboardShape {
     Aabb bounds();
 
-    /** Returns the parameter at which the ray first enters; infinity if that is before {@code least}, or never. */
-    double entry(Ray ray, double least);
+    /**
+     * Returns the parameter at which the ray first enters; infinity if that is before {@code least}, or never. What is
+     * beyond {@code most} need not be found.
+     */
+    double entry(Ray ray, double least, double most);
 
     /** Returns true if the ray contains any point of it up to the parameter {@code limit}. */
     boolean intersects(Ray ray, double limit);

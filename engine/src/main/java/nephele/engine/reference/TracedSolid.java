@@ -26,7 +26,7 @@ final class TracedSolid implements TracedShape {
     }
 
     @Override
-    public double entry(Ray ray, double least) {
+    public double entry(Ray ray, double least, double most) {
         RayClip inside = clip(ray, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
         return inside.enter() < inside.leave() && inside.enter() >= least ? inside.enter() : Double.POSITIVE_INFINITY;
     }

@@ -60,19 +60,19 @@ final class TriangleMeshShape implements TracedShape {
 
     /** Returns the parameter of the first front face. */
     @Override
-    public double entry(Ray ray, double least) {
+    public double entry(Ray ray, double least, double most) {
         RayHit hit = new RayHit();
-        return nearest(ray, least, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
+        return nearest(ray, least, most, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
     }
 
-    private boolean nearest(Ray ray, double least, RayHit hit) {
-        return index.nearest(ray, Double.POSITIVE_INFINITY, (r, triangle, limit) -> entry(r, triangle, least), hit);
+    private boolean nearest(Ray ray, double least, double most, RayHit hit) {
+        return index.nearest(ray, most, (r, triangle, limit) -> entry(r, triangle, least), hit);
     }
 
     /** Returns the triangle that a ray enters at a parameter. */
     int triangle(Ray ray, double parameter) {
         RayHit hit = new RayHit();
-        nearest(ray, parameter, hit);
+        nearest(ray, parameter, TracedItems.BEHIND * parameter, hit);
         return hit.item();
     }
 
@@ -184,8 +184,8 @@ final class TriangleMeshShape implements TracedShape {
         private Planted(TriangleMeshShape kind, Plant plant) {
             this.kind = kind;
             this.plant = plant;
-            cos = Math.cos(plant.turn());
-            sin = Math.sin(plant.turn());
+            cos = StrictMath.cos(plant.turn());
+            sin = StrictMath.sin(plant.turn());
             Aabb box = kind.bounds();
             List<Vec3> corners = new ArrayList<>();
             for (int i = 0; i < 8; i++) {
@@ -252,8 +252,8 @@ final class TriangleMeshShape implements TracedShape {
         }
 
         @Override
-        public double entry(Ray ray, double least) {
-            return kind.entry(inKind(ray), least);
+        public double entry(Ray ray, double least, double most) {
+            return kind.entry(inKind(ray), least, most);
         }
 
         @Override

@@ -2,6 +2,7 @@ package nephele.lab.trade;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.ColourDecoding;
@@ -18,6 +19,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.LevelLight;
+import nephele.engine.scene.light.bake.BakedLight;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
 import nephele.host.terminal.PrintedProgress;
@@ -34,6 +36,8 @@ public final class TradeSite implements AutoCloseable {
     private final Path folder;
     private final PrintStream log;
     private GlContext gl;
+    /** The level's light; {@code null} before it is asked for. */
+    private Optional<BakedLight> light;
 
     /**
      * The size of pictures and the quality of the reference picture's.
@@ -114,19 +118,29 @@ public final class TradeSite implements AutoCloseable {
     public Scene scene(Level level) {
         return opened.reporting(() -> {
             var placed = opened.placed().edited(level);
-            return Scene.of(placed, LevelLight.of(placed, PrintedProgress.ofBake(log)));
+            boolean hasItsLight =
+                    isBaked() && placed.statics() == opened.placed().statics();
+            return Scene.of(placed, hasItsLight ? light.get() : LevelLight.of(placed, PrintedProgress.ofBake(log)));
         });
+    }
+
+    /** Returns true if the level's own light was baked: then every variant of it is drawn with that. */
+    private boolean isBaked() {
+        if (light == null) {
+            light = Optional.ofNullable(LevelLight.of(opened.placed(), PrintedProgress.ofBake(log)));
+        }
+        return light.isPresent() && light.get().indirect() != null;
     }
 
     /**
      * Returns the exact twin's radiance of this view, bottom row first; traced at the first call and then read from the
-     * folder.
+     * folder. The twin follows light over surfaces if the level's light was baked.
      */
     public LinearPicture reference() {
-        return reference(LightTransport.DIRECT);
+        return reference(isBaked() ? LightTransport.BAKED : LightTransport.DIRECT);
     }
 
-    /** Returns that picture with light that is followed farther. */
+    /** Returns that picture with light that is followed so far. */
     public LinearPicture reference(LightTransport light) {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads, light);

@@ -47,6 +47,8 @@ class StoredLightTest {
              "lights": [{"id": "lamp", "kind": "point", "position": [0, 3, 0], "radiantIntensity": [1, 2, 3]}]}
             """;
 
+    private static final long SHIPPED_BYTES = 16 << 20;
+
     @TempDir
     private Path folder;
 
@@ -181,5 +183,19 @@ class StoredLightTest {
         assertNotEquals(LEVEL, edited);
         assertNotEquals(
                 LightKey.of(placed()).fileName(), LightKey.of(placed(edited)).fileName());
+    }
+
+    @Test
+    void shippedLevelsHaveTheirLight() throws IOException {
+        try (var files = Files.list(Path.of("levels", "baked"))) {
+            long bytes = files.mapToLong(file -> file.toFile().length()).sum();
+            assertTrue(bytes <= SHIPPED_BYTES, bytes + " bytes of baked light");
+        }
+        try (var levels = Files.newDirectoryStream(Path.of("levels"), "[0-9][0-9]-*.json")) {
+            for (Path level : levels) {
+                PlacedLevel shipped = PlacedLevel.of(LevelFile.read(level), LevelAssets.beside(level));
+                assertEquals(State.BAKED, state(shipped), () -> level + ": run `./nephele bake " + level + " --light`");
+            }
+        }
     }
 }

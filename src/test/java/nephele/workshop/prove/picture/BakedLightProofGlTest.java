@@ -15,7 +15,7 @@ class BakedLightProofGlTest {
 
     @Test
     void aDrawnRoomHasTheLightOfItsTracedTwin(@TempDir Path kept) {
-        var proof = new BakedLightProof(new LightBake.Settings(0.1, 128), 32, 64, kept);
+        var proof = new BakedLightProof(new LightBake.Settings(0.1, 128), 32, 4, kept);
         assertEquals(List.of(), proof.run(SUNROOM, 1, Proof.Progress.NONE).examples());
     }
 }

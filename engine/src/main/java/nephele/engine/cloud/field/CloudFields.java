@@ -79,7 +79,7 @@ public final class CloudFields {
             return greys(picture);
         }
         int alpha = picture.channels() - 1;
-        return layer(picture, pixel -> -Math.log(1 - Math.min(unit(picture, pixel, alpha), OPAQUE)));
+        return layer(picture, pixel -> -StrictMath.log(1 - Math.min(unit(picture, pixel, alpha), OPAQUE)));
     }
 
     /** Returns the means of the colours, 0 to 1. */

@@ -36,7 +36,7 @@ record GaussianPuff(Vec3 centre, double deviationMetres) {
 
     private double density(double squaredMetres) {
         double ratio = squaredMetres / (deviationMetres * deviationMetres);
-        return ratio < CUT_DEVIATIONS * CUT_DEVIATIONS ? Math.exp(-ratio / 2) : 0;
+        return ratio < CUT_DEVIATIONS * CUT_DEVIATIONS ? StrictMath.exp(-ratio / 2) : 0;
     }
 
     /** Returns the greatest density in a box. */
@@ -93,7 +93,7 @@ record GaussianPuff(Vec3 centre, double deviationMetres) {
             term *= 2 * x * x / (2 * n + 1);
             sum += term;
         }
-        return TWO_BY_ROOT_PI * Math.exp(-x * x) * sum;
+        return TWO_BY_ROOT_PI * StrictMath.exp(-x * x) * sum;
     }
 
     /** Returns 1 − erf(x) by the continued fraction 7.1.14. */
@@ -102,6 +102,6 @@ record GaussianPuff(Vec3 centre, double deviationMetres) {
         for (int n = FRACTION_TERMS; n > 0; n--) {
             fraction = x + n / 2.0 / fraction;
         }
-        return Math.exp(-x * x) / (Math.sqrt(Math.PI) * fraction);
+        return StrictMath.exp(-x * x) / (Math.sqrt(Math.PI) * fraction);
     }
 }

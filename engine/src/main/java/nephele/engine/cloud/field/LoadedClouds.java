@@ -173,7 +173,7 @@ public final class LoadedClouds {
             double depth = IntStream.range(0, fields.size())
                     .mapToDouble(i -> isotropicDepth(loaded.get(i), fields.get(i), seconds, x, z))
                     .sum();
-            double left = Math.exp(-depth / mu);
+            double left = StrictMath.exp(-depth / mu);
             transmitted += (2.0 / 3 + mu + (2.0 / 3 - mu) * left) / (4.0 / 3 + depth) / count;
             diffuse += 1 / (1 + 0.75 * depth) / count;
         }

@@ -53,8 +53,8 @@ public final class EvolvingNoise {
         double angle = (generation - whole) * Math.PI / 2;
         from = offset(seed, (long) whole);
         to = offset(seed, (long) whole + 1);
-        weightFrom = Math.cos(angle);
-        weightTo = Math.sin(angle);
+        weightFrom = StrictMath.cos(angle);
+        weightTo = StrictMath.sin(angle);
     }
 
     /** Returns the billows of one feature of a cloud at a time. */

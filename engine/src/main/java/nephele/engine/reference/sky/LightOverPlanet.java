@@ -73,7 +73,7 @@ final class LightOverPlanet implements DistantLight {
     }
 
     private Vec3 passed(double height, double sine) {
-        double above = Math.asin(Math.max(-1, Math.min(1, sine))) - horizonRadians(height);
+        double above = StrictMath.asin(Math.max(-1, Math.min(1, sine))) - horizonRadians(height);
         double x = Math.toDegrees(Math.max(0, above)) * NODES_PER_DEGREE;
         int column = Math.min(logarithms.length() - 2, (int) x);
         double y = Math.sqrt(height / Air.TOP_METRES) * (HEIGHTS - 1);
@@ -83,7 +83,7 @@ final class LightOverPlanet implements DistantLight {
         double[] passed = new double[3];
         for (int channel = 0; channel < 3; channel++) {
             double before = between(low, row, y - row, channel);
-            passed[channel] = Math.exp(before + (x - column) * (between(high, row, y - row, channel) - before));
+            passed[channel] = StrictMath.exp(before + (x - column) * (between(high, row, y - row, channel) - before));
         }
         return new Vec3(passed[0], passed[1], passed[2]);
     }
@@ -95,7 +95,7 @@ final class LightOverPlanet implements DistantLight {
 
     /** Returns the elevation of the horizon, at most 0. */
     private static double horizonRadians(double height) {
-        return -Math.acos(PLANET / (PLANET + height));
+        return -StrictMath.acos(PLANET / (PLANET + height));
     }
 
     private double[] logarithms(int column) {
@@ -113,10 +113,10 @@ final class LightOverPlanet implements DistantLight {
             double fraction = row / (HEIGHTS - 1.0);
             double height = Air.TOP_METRES * fraction * fraction;
             double elevation = Math.min(Math.PI / 2, horizonRadians(height) + aboveHorizon);
-            Vec3 passed = air.transmittance(height, Math.sin(elevation));
-            logarithms[3 * row] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.x()));
-            logarithms[3 * row + 1] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.y()));
-            logarithms[3 * row + 2] = Math.log(Math.max(LEAST_TRANSMITTANCE, passed.z()));
+            Vec3 passed = air.transmittance(height, StrictMath.sin(elevation));
+            logarithms[3 * row] = StrictMath.log(Math.max(LEAST_TRANSMITTANCE, passed.x()));
+            logarithms[3 * row + 1] = StrictMath.log(Math.max(LEAST_TRANSMITTANCE, passed.y()));
+            logarithms[3 * row + 2] = StrictMath.log(Math.max(LEAST_TRANSMITTANCE, passed.z()));
         }
         return logarithms;
     }

@@ -86,7 +86,7 @@ public sealed interface SkyCover {
             Vec3 across = Directions.perpendicular(normal);
             double square = random.nextDouble();
             double angle = 2 * Math.PI * random.nextDouble();
-            Vec3 flat = Directions.combined(across, Math.cos(angle), normal.cross(across), Math.sin(angle));
+            Vec3 flat = Directions.combined(across, StrictMath.cos(angle), normal.cross(across), StrictMath.sin(angle));
             return Directions.unit(Directions.combined(normal, Math.sqrt(1 - square), flat, Math.sqrt(square)));
         }
     }

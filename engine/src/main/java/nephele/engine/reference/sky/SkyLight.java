@@ -34,7 +34,7 @@ public final class SkyLight {
             double s = 2 * (cell % SKY_CELLS + 0.5) / SKY_CELLS - 1;
             double t = 2 * (cell / SKY_CELLS % SKY_CELLS + 0.5) / SKY_CELLS - 1;
             Vector3d d = onCube(cell / (SKY_CELLS * SKY_CELLS), s, t);
-            double solidAngle = Math.pow(d.lengthSquared(), -1.5);
+            double solidAngle = StrictMath.pow(d.lengthSquared(), -1.5);
             total += solidAngle;
             d.normalize();
             Vector3d radiance = sky.from(d.x, d.y, d.z).mul(solidAngle);

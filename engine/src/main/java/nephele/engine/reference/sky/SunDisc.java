@@ -44,7 +44,7 @@ public record SunDisc(Vec3 middle, Vec3 radiance, Air air) {
     public Vec3 towards(Vec3 direction, double eyeHeight) {
         double height = Math.max(0, Math.min(Air.TOP_METRES, eyeHeight));
         double fromMiddle = direction.minus(middle).length() / radiusRadians();
-        if (fromMiddle >= 1 || Math.asin(direction.y()) < SkyTable.horizonRadians(height)) {
+        if (fromMiddle >= 1 || StrictMath.asin(direction.y()) < SkyTable.horizonRadians(height)) {
             return Vec3.ZERO;
         }
         double limb = 0.5 + 0.75 * Math.sqrt(1 - fromMiddle * fromMiddle);

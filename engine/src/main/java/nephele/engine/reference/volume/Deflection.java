@@ -14,8 +14,8 @@ public final class Deflection {
     public static Vec3 of(Vec3 direction, double separation, SplittableRandom random) {
         double angle = 2 * Math.PI * random.nextDouble();
         double sine = Math.sqrt(Math.max(0, separation * (1 - separation / 4)));
-        double a = sine * Math.cos(angle);
-        double b = sine * Math.sin(angle);
+        double a = sine * StrictMath.cos(angle);
+        double b = sine * StrictMath.sin(angle);
         double cosine = 1 - separation / 2;
         double sign = Math.copySign(1, direction.z());
         double p = -1 / (sign + direction.z());

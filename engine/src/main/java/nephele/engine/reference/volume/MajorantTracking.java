@@ -79,7 +79,7 @@ public final class MajorantTracking {
 
     /** Returns an optical depth of exponential distribution with mean 1. */
     private static double randomDepth(SplittableRandom random) {
-        return -Math.log(1 - random.nextDouble());
+        return -StrictMath.log(1 - random.nextDouble());
     }
 
     private static double perMetre(ExtinctionField field, Ray ray, double metres) {

@@ -6,7 +6,6 @@ import nephele.engine.level.appearance.SunAndMoon;
 import nephele.engine.level.appearance.WeatherClouds;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.math.Vec3;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.IndirectLight;
@@ -80,15 +79,11 @@ public record FrameRequest(
         return output == Output.HDR && level.environment().exposureStops().isAuto();
     }
 
-    /** Returns true if ambient light is darkened near moving objects. */
+    /** Returns true if baked light is darkened near moving objects. */
     public boolean drawsContact() {
-        Vec3 constant = level.environment().ambient();
-        boolean isAmbient = LightRequirements.skyShines(level)
-                || constant != null && !constant.equals(Vec3.ZERO)
-                || lightMaps.bakes(LightMaps.Baked.BOUNCED);
         return quality.contact() == Quality.Contact.ON
                 && output != Output.PLAIN
-                && isAmbient
+                && lightMaps.bakes(LightMaps.Baked.BOUNCED)
                 && (hasBodies() || mayShowCharacter());
     }
 

@@ -90,8 +90,8 @@ public record Quality(
                         high = "on",
                         low = "off",
                         title = "Contact shadows",
-                        about = "Bodies and the character darken what is near them, where they hide light of the sky or"
-                                + " other ambient light. Without it they seem to float in shade.")
+                        about = "Where light is baked, bodies and the character hide some of it from what is near them."
+                                + " Without it they seem to float in shade.")
                 Contact contact,
         @QualitySetting(
                         high = "1",

@@ -34,11 +34,19 @@ public final class LevelLight {
      * @return {@code null} if no light of the sky reaches anything and no light was baked
      */
     public static BakedLight of(PlacedLevel placed, DoubleConsumer progress, Consumer<StoredLight> report) {
+        return with(visibility(placed, progress), placed, report);
+    }
+
+    /** Returns the light as {@link #of(PlacedLevel, DoubleConsumer)} does for a level whose own light was never baked. */
+    public static BakedLight unbaked(PlacedLevel placed, DoubleConsumer progress) {
+        SkyVisibility visibility = visibility(placed, progress);
+        return visibility == null ? null : new BakedLight(visibility, null);
+    }
+
+    private static SkyVisibility visibility(PlacedLevel placed, DoubleConsumer progress) {
         SwingThread.refuse("the bake of a sky");
         AirCache.prepare(placed.level().environment(), progress);
-        SkyVisibility visibility =
-                isRequired(placed) ? LightCache.of(placed.assets()).of(baked(placed), progress) : null;
-        return with(visibility, placed, report);
+        return isRequired(placed) ? LightCache.of(placed.assets()).of(baked(placed), progress) : null;
     }
 
     /** Returns the light if it was baked before; bakes nothing. */

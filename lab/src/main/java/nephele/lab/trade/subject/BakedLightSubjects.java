@@ -36,14 +36,13 @@ import nephele.lab.trade.TradeSite;
 
 /** Light that bounces: how far it is followed, how finely it is baked, and whether its directions are. */
 public final class BakedLightSubjects {
-    private static final LightTransport ALL_LIGHT = new LightTransport(LightTransport.FULL.bounces(), false);
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
     private static final String ROOM = "levels/02-first-shot.json";
     private static final String EXACT = "the oracle: rays through the level, many a pixel, with all light that bounces";
 
     private static final List<LightTransport> TRANSPORTS = Stream.concat(
                     IntStream.of(0, 1, 2, 4, 8).mapToObj(bounces -> new LightTransport(bounces, false)),
-                    Stream.of(ALL_LIGHT))
+                    Stream.of(LightTransport.BAKED))
             .toList();
 
     public static final Trade BOUNCES = new Trade(
@@ -122,14 +121,14 @@ public final class BakedLightSubjects {
     }
 
     private static Judgement judged(TradeSite site, LinearPicture test) {
-        LinearPicture exact = site.reference(ALL_LIGHT);
+        LinearPicture exact = site.reference(LightTransport.BAKED);
         BufferedImage shown = ComparedValues.RADIANCE.shown(test, site.level().environment());
         return PictureExperiment.judgement(exact, test, HdrFlip.of(exact, test), shown);
     }
 
     private static BufferedImage exact(TradeSite site) {
         return ComparedValues.RADIANCE.shown(
-                site.reference(ALL_LIGHT), site.level().environment());
+                site.reference(LightTransport.BAKED), site.level().environment());
     }
 
     /** Pictures of the twin. */

@@ -20,14 +20,20 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.Offscreen;
 import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.LightParts;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.FrameState.Posture;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.scene.light.bake.FormulaLight;
+import nephele.engine.scene.light.bake.IndirectLight;
+import nephele.engine.scene.light.bake.IndirectLight.Course;
+import nephele.engine.scene.light.bake.IndirectLight.SkyLight;
 import nephele.lab.bake.TracedPictures;
 import org.junit.jupiter.api.Test;
 
@@ -56,11 +62,23 @@ class ContactGlTest {
                 : floor().body(new Body.Sphere("ball", centre, 0.3, 10, "red", 0.6, 0));
     }
 
+    /** Returns a level with the light of an open sky baked. */
+    private static Scene baked(Level level) {
+        PlacedLevel placed = PlacedLevel.of(level, new TestAssets());
+        return Scene.of(
+                placed,
+                new FormulaLight(placed.statics())
+                        .layer("", Course.INDIRECT, place -> TestLevel.grey(1), new Vec3(0, 1, 0).scaled(2 / 3.0))
+                        .baked(SkyLight.BAKED));
+    }
+
     private static float[] green(Offscreen offscreen, Level level, View view, Quality quality) {
-        float[] rgb = offscreen
-                .radiance(level, new TestAssets(), List.of(view), quality)
-                .get(0);
-        return green(rgb);
+        RenderSettings settings = RenderSettings.of(Output.HDR, quality);
+        try (Renderer renderer = LevelRenderer.load(offscreen.gl, baked(level), settings)) {
+            renderer.draw(view, offscreen.picture);
+            offscreen.gl.requireNoError("contact");
+            return green(renderer.readRadiance());
+        }
     }
 
     private static float[] green(float[] rgb) {
@@ -79,9 +97,10 @@ class ContactGlTest {
         return sum;
     }
 
-    private static boolean darkens(TestLevel built, CharacterPresence character) {
-        PlacedLevel placed = PlacedLevel.of(built.level(), new TestAssets());
-        return FrameRequest.of(placed.level(), placed.statics(), null, Output.HDR, ON, character)
+    private static boolean darkens(TestLevel built, CharacterPresence character, boolean isBaked) {
+        Scene scene = baked(built.level());
+        IndirectLight light = isBaked ? scene.light().indirect() : null;
+        return FrameRequest.of(scene.level(), scene.statics(), light, Output.HDR, ON, character)
                 .drawsContact();
     }
 
@@ -117,12 +136,13 @@ class ContactGlTest {
         }
     }
 
-    /** Nothing is drawn differently where nothing moves or no light is ambient, nor far from everything that moves. */
+    /** Nothing is drawn differently where nothing moves or no light is baked, nor far from everything that moves. */
     @Test
-    void withoutMovingObjectsOrAmbientLightNothingChanges() {
-        assertFalse(darkens(floor(), CharacterPresence.NEVER));
-        assertTrue(darkens(floor(), CharacterPresence.POSSIBLE));
-        assertFalse(darkens(floor().ambient(0).cube("red", Vec3.ZERO, 1), CharacterPresence.NEVER));
+    void withoutMovingObjectsOrBakedLightNothingChanges() {
+        assertFalse(darkens(floor(), CharacterPresence.NEVER, true));
+        assertTrue(darkens(floor(), CharacterPresence.POSSIBLE, true));
+        assertTrue(darkens(floor().cube("red", Vec3.ZERO, 1), CharacterPresence.NEVER, true));
+        assertFalse(darkens(floor().cube("red", Vec3.ZERO, 1), CharacterPresence.POSSIBLE, false));
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
             View away = offscreen.view(new Vec3(15, 1, 15), new Vec3(18, 0, 18));
             Level level = withBody("box", 0.3).level();
@@ -157,7 +177,7 @@ class ContactGlTest {
             for (int i = 0; i < 2; i++) {
                 RenderSettings settings =
                         RenderSettings.of(Output.HDR, i == 0 ? OFF : ON).with(CharacterPresence.POSSIBLE);
-                try (var renderer = LevelRenderer.load(offscreen.gl, level, new TestAssets(), settings)) {
+                try (var renderer = LevelRenderer.load(offscreen.gl, baked(level), settings)) {
                     FrameState state = FrameState.atStart(level);
                     state.character(new Posture(new Vec3(0, 0.9, 0), new Vec3(0, 1, 0), 0, 0, 1.8, 0, 0, 0, 0, 0));
                     renderer.draw(view, state, offscreen.picture);

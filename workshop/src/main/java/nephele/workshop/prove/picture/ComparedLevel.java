@@ -55,7 +55,7 @@ final class ComparedLevel<V> implements AutoCloseable {
         var placed = PlacedLevel.of(level, assets);
         traced = TracedLevel.of(placed, decoding);
         cameras = new SeededCameras(level, traced, 16.0 / 9);
-        var scene = Scene.of(placed, LevelLight.of(placed, done -> {}));
+        var scene = Scene.of(placed, LevelLight.unbaked(placed, done -> {}));
         try {
             variants.forEach((variant, settings) -> renderers.put(variant, LevelRenderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {

@@ -61,7 +61,8 @@ public final class PortalLightProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "portal-light",
-                "With lighting, each level's pictures (one sample a pixel, " + trace.width() + " × " + trace.height()
+                "With direct light, each level's pictures (one sample a pixel, " + trace.width() + " × "
+                        + trace.height()
                         + ", quality ultra without anisotropy) have a mean HDR-FLIP of at most 0.05 and a bias of at"
                         + " most 1 % against " + trace.samples()
                         + " traced samples a pixel, with either portal technique.",

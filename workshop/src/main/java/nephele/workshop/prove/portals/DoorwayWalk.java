@@ -45,12 +45,7 @@ final class DoorwayWalk implements AutoCloseable {
         Vec3 cube = manner == Manner.HELD_CUBE ? DoorwayRooms.CUBE_AHEAD : DoorwayRooms.CUBE_ASIDE;
         Level level = DoorwayRooms.level(count, doors, cube);
         var settings = RenderSettings.of(
-                        Output.DIRECT,
-                        Quality.HIGH
-                                .with("shadowTexels", 1024)
-                                .with("viewBudget", 6)
-                                // A sphere belongs to the side of its centre, so contact steps where a body does not.
-                                .with("contact", Quality.Contact.OFF))
+                        Output.DIRECT, Quality.HIGH.with("shadowTexels", 1024).with("viewBudget", 6))
                 .with(Decoration.OFF);
         renderer =
                 LevelRenderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);

@@ -34,7 +34,7 @@ public final class ContactPass implements Pass {
         if (!request.drawsContact()) {
             return List.of();
         }
-        String because = request.hasBodies() ? "bodies in ambient light" : "player: a character in ambient light";
+        String because = request.hasBodies() ? "bodies in baked light" : "player: a character in baked light";
         return List.of(new Required(because, ContactPass::new));
     }
 
