@@ -15,6 +15,7 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.QualityMemory;
 import nephele.engine.render.frame.Quality;
 import nephele.host.draw.QualityChoice;
+import nephele.host.draw.QualityFront;
 import nephele.host.named.LevelName;
 import nephele.host.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
@@ -123,6 +124,6 @@ class AutoQualityTest {
         double learned = files().quality()
                 .highMillis(QualityMemory.machine("llvmpipe"), "01-courtyard.json", PIXELS)
                 .orElseThrow();
-        assertEquals(60, learned, 20);
+        assertEquals(24 / QualityFront.SOFTWARE.first().cost(), learned, 20);
     }
 }

@@ -20,22 +20,21 @@ public record QualityFront(List<Point> points, int start) {
     public record Point(String name, Quality quality, double cost) {}
 
     /**
-     * On a software renderer pixels are the cost, and their number is the best choice at every cost. All but {@code
-     * ultra} have the same programs, so that a change compiles none but that of the filter: below half the pixels along
-     * a side weights along edges keep the picture from showing the squares it is made of (docs/decisions/performance.md).
+     * On a software renderer pixels are the cost, and then the light of sun and lamps where it need not be drawn live: the
+     * costs are those of levels with baked light. Below half the pixels along a side weights along edges keep the picture
+     * from showing the squares it is made of (docs/decisions/performance.md).
      */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(
-                    new Point("resolution 0.25", small(0.25), 0.2),
-                    new Point("resolution 0.32", small(0.32), 0.24),
-                    new Point("resolution 0.38", small(0.38), 0.28),
-                    new Point("low", Quality.LOW, 0.37),
-                    new Point("resolution 0.6", Quality.LOW.with("pictureResolution", 0.6), 0.46),
-                    new Point("medium", Quality.MEDIUM, 0.58),
-                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.78),
+                    new Point("resolution 0.25", small(0.25), 0.21),
+                    new Point("low", Quality.LOW, 0.27),
+                    new Point("resolution 0.5", live(0.5), 0.43),
+                    new Point("resolution 0.6", live(0.6), 0.53),
+                    new Point("medium", Quality.MEDIUM, 0.66),
+                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.84),
                     new Point("high", Quality.HIGH, 1),
                     new Point("ultra", Quality.ULTRA, 2.5)),
-            3);
+            1);
 
     /** Costs on a graphics card differ from card to card: these only have the right order. */
     public static final QualityFront HARDWARE = new QualityFront(
@@ -52,6 +51,10 @@ public record QualityFront(List<Point> points, int start) {
 
     private static Quality small(double resolution) {
         return Quality.LOW.with("pictureResolution", resolution).with("upscale", Quality.Upscale.EDGE_ADAPTIVE);
+    }
+
+    private static Quality live(double resolution) {
+        return Quality.LOW.with("pictureResolution", resolution).with("directLight", Quality.DirectLight.LIVE);
     }
 
     /** Returns the point of the first frames. */

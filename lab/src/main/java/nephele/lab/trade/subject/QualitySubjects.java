@@ -34,12 +34,19 @@ public final class QualitySubjects {
             new Trade.Text(
                     "Presets of quality",
                     "Each preset is a point of the front that the other subjects measure: fewer pixels below,"
-                            + " more samples above.",
+                            + " more samples above. Beside them, with the light of sun and lamps baked where the preset"
+                            + " has it live, and the other way round.",
                     SEEN),
             List.of(),
             "high",
-            Stream.of("low", "medium", "high", "ultra")
-                    .map(preset -> new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset)))
+            Stream.concat(
+                            Stream.of("low", "medium", "high", "ultra")
+                                    .map(preset ->
+                                            new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset))),
+                            Stream.of(
+                                    otherLight("low", "live"),
+                                    otherLight("medium", "baked"),
+                                    otherLight("high", "baked")))
                     .toList(),
             ComparedValues.SEEN);
 
@@ -95,6 +102,11 @@ public final class QualitySubjects {
             .in("levels/04-cube.json");
 
     private QualitySubjects() {}
+
+    private static PictureSetting otherLight(String preset, String light) {
+        return new PictureSetting(Setting.of(preset + ", " + light + " light"), shot -> shot.ofPreset(preset)
+                .set("directLight", light));
+    }
 
     private static String filterNote(String filter) {
         return switch (filter) {
