@@ -60,8 +60,13 @@ final class BounceLinks {
         first = new float[CHANNELS * layers * receivers.count()];
     }
 
-    /** Traces the rays, then balances {@link LightBake#indirect}. */
-    void balance(DoubleConsumer progress) {
+    /**
+     * Traces the rays, then balances {@link LightBake#indirect}.
+     *
+     * @param isFree false for receivers that are inside something
+     * @return the standard error of each receiver's luminance; negative for one that is not free
+     */
+    float[] balance(boolean[] isFree, DoubleConsumer progress) {
         bake.inParallel(progress, this::trace);
         radiance = first.clone();
         next = new float[first.length];
@@ -70,13 +75,14 @@ final class BounceLinks {
             change = step();
             progress.accept(1);
         }
-        teach(bake.guide());
+        float[] errors = teach(bake.guide(), isFree);
         float[] indirect = bake.indirect();
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
             for (int layer = 0; layer < layers; layer++) {
                 copy(CHANNELS * (receiver * layers + layer), Gathered.VALUES * (receiver * layers + layer), indirect);
             }
         }
+        return errors;
     }
 
     private void trace(GatherRays ray, int block) {
@@ -120,16 +126,29 @@ final class BounceLinks {
         return new SplittableRandom(Hash64.combine(receiver, 0));
     }
 
-    /** Tells a guide what the rays met, and what balanced light was at their ends. */
-    private void teach(RayGuide guide) {
+    /**
+     * Tells a guide what the rays met, and what balanced light was at their ends.
+     *
+     * @return standard errors as of {@link #balance}
+     */
+    private float[] teach(RayGuide guide, boolean[] isFree) {
+        float[] errors = new float[receivers.count()];
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
             long shift = random(receiver).nextLong();
+            double sum = 0;
+            double squares = 0;
             for (int i = 0; i < rays; i++) {
                 int link = rays * receiver + i;
-                guide.learn(receiver, RayGuide.Aim.even(shift, i), met[link] + balanced(link));
+                double luminance = met[link] + balanced(link);
+                guide.learn(receiver, RayGuide.Aim.even(shift, i), luminance);
+                sum += luminance;
+                squares += luminance * luminance;
             }
+            double variance = Math.max(0, squares / rays - sum * sum / rays / rays);
+            errors[receiver] = isFree[receiver] ? (float) Math.sqrt(variance / (rays - 1)) : -1;
         }
         guide.finish();
+        return errors;
     }
 
     /** Returns the luminance that arrives of the balanced light of the receiver at a link's end. */

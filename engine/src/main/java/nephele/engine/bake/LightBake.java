@@ -78,6 +78,9 @@ public final class LightBake {
     private final float[] indirect;
 
     private final float[] errors;
+    /** All light of each receiver as it was balanced: what the rays of {@link #gather} find. */
+    private final float[] balanced;
+
     private final RayGuide guide;
     private double mean;
 
@@ -143,6 +146,7 @@ public final class LightBake {
         direct = new float[values];
         indirect = new float[values];
         errors = new float[receivers.count()];
+        balanced = new float[values];
         guide = new RayGuide(receivers);
     }
 
@@ -202,12 +206,23 @@ public final class LightBake {
         receivers.standIn(isFree);
         int length = Gathered.VALUES * names.size();
         System.arraycopy(receivers.joined(direct, length), 0, direct, 0, direct.length);
-        new BounceLinks(this).balance(done -> progress.accept(0.25 + 0.75 * done));
+        float[] noise = new BounceLinks(this).balance(isFree, done -> progress.accept(0.25 + 0.75 * done));
         double sum = 0;
         for (int receiver = 0; receiver < receivers.count(); receiver++) {
             sum += luminance(indirect, receiver) + luminance(direct, receiver);
         }
         mean = sum / Math.max(1, receivers.count());
+        for (int i = 0; i < balanced.length; i++) {
+            balanced[i] = indirect[i] + direct[i];
+        }
+        filter(noise);
+    }
+
+    /** @param noise standard errors of luminance, negative for receivers that are not free */
+    private void filter(float[] noise) {
+        int length = Gathered.VALUES * names.size();
+        float[] filtered = new NoiseFilter(receivers, length, indirect, noise).filtered();
+        System.arraycopy(receivers.joined(filtered, length), 0, indirect, 0, filtered.length);
     }
 
     /**
@@ -246,10 +261,6 @@ public final class LightBake {
      * @param progress as of {@link #balance}; called after each receiver
      */
     public void gather(int[] order, Checkpoint checkpoint, DoubleConsumer progress) {
-        float[] balanced = new float[indirect.length];
-        for (int i = 0; i < balanced.length; i++) {
-            balanced[i] = indirect[i] + direct[i];
-        }
         int length = Gathered.VALUES * names.size();
         AtomicInteger done = new AtomicInteger();
         inParallel(order, (ray, block) -> {
@@ -259,7 +270,7 @@ public final class LightBake {
             if (values == null || values.length != count * (length + 1)) {
                 values = new float[count * (length + 1)];
                 for (int i = 0; i < count; i++) {
-                    gatherIndirect(ray, first + i, balanced, values, i * (length + 1));
+                    gatherIndirect(ray, first + i, values, i * (length + 1));
                     progress.accept((double) done.incrementAndGet() / receivers.count());
                 }
                 checkpoint.store(block, values);
@@ -271,8 +282,7 @@ public final class LightBake {
                 errors[first + i] = values[i * (length + 1) + length];
             }
         });
-        float[] filtered = new NoiseFilter(receivers, length, indirect, absolute()).filtered();
-        System.arraycopy(receivers.joined(filtered, length), 0, indirect, 0, filtered.length);
+        filter(absolute());
     }
 
     private float[] absolute() {
@@ -470,7 +480,7 @@ public final class LightBake {
                 .fma(radius * StrictMath.sin(angle), up);
     }
 
-    private void gatherIndirect(GatherRays ray, int receiver, float[] balanced, float[] to, int at) {
+    private void gatherIndirect(GatherRays ray, int receiver, float[] to, int at) {
         Receivers.Spot spot = receivers.spot(receiver);
         if (spot.places().isEmpty()) {
             to[at + Gathered.VALUES * names.size()] = -1;

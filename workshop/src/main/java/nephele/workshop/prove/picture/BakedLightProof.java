@@ -105,8 +105,9 @@ public final class BakedLightProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "baked-light",
-                "Four reference rooms, the levels of the campaign and the samples " + String.join(", ", SAMPLES)
-                        + ", drawn at quality high (" + width + " × " + height + ", each pixel the mean of four) from"
+                "Four reference rooms, the samples " + String.join(", ", SAMPLES)
+                        + " and the levels of the campaign, drawn at quality high (" + width + " × " + height
+                        + ", each pixel the mean of four) from"
                         + " up to " + CAMERAS + " cameras with freshly baked light, differ from all light traced with "
                         + samples + " samples a pixel (the rooms " + ROOM_SAMPLES * samples
                         + "), portals closed to it, by"
@@ -121,8 +122,8 @@ public final class BakedLightProof implements Proof {
     private static List<String> cases() {
         return Stream.of(
                         ReferenceCase.INTERIORS.stream(),
-                        CAMPAIGN.stream().map(name -> "levels/" + name + ".json"),
-                        SAMPLES.stream().map(name -> SAMPLE_FOLDER + name + ".json"))
+                        SAMPLES.stream().map(name -> SAMPLE_FOLDER + name + ".json"),
+                        CAMPAIGN.stream().map(name -> "levels/" + name + ".json"))
                 .flatMap(names -> names)
                 .toList();
     }
