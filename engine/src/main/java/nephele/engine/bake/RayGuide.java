@@ -69,7 +69,7 @@ final class RayGuide {
         counts = new int[cells.length];
     }
 
-    /** Takes note of the luminance that an even ray met. */
+    /** Adds the luminance that an even ray met to its cell. */
     void learn(int receiver, Aim aim, double luminance) {
         if (squareOf[receiver] >= 0) {
             int cell = CELLS * squareOf[receiver] + SIDE * (int) (SIDE * aim.u()) + (int) (SIDE * aim.v());
@@ -92,7 +92,7 @@ final class RayGuide {
         }
     }
 
-    /** Returns where the point of an even ray comes to lie by the density. */
+    /** Returns the point of an even ray, moved so that points are as dense as the cells of the receiver's square say. */
     Aim guided(int receiver, Aim even) {
         if (squareOf[receiver] < 0) {
             return even;
