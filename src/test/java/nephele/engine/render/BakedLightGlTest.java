@@ -28,6 +28,7 @@ import nephele.engine.level.TestTerrain;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -154,6 +155,26 @@ class BakedLightGlTest {
     }
 
     /** Flat walls are the same with and without directions; a normal map is lit by the ratio of its twin. */
+    /** A hemisphere of even light has half of its luminance as mean direction, and looks the same in each mirrored direction. */
+    @Test
+    void metalMirrorsEvenLightFromEverywhere() {
+        Level level = wall(new Material("wall", TestLevel.grey(ALBEDO), null, 0.5, 1.0, null, Vec3.ZERO, 1))
+                .level();
+        StaticShapes statics = PlacedLevel.of(level, TestAssets.NONE).statics();
+        Quality off = Quality.HIGH.with("lightDirections", LightDirections.OFF);
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (double length : new double[] {0.5, 0.9}) {
+                BakedLight light = new FormulaLight(statics)
+                        .layer("", Course.INDIRECT, EVEN, OUT.scaled(length))
+                        .baked(SkyLight.BAKED);
+                float[] plain = picture(offscreen, level, light, off);
+                float[] directed = picture(offscreen, level, light, Quality.HIGH);
+                double corner = directed[0] / plain[0];
+                assertEquals(length == 0.5 ? 1 : 0.7, corner, length == 0.5 ? 0.01 : 0.2, "length " + length);
+            }
+        }
+    }
+
     @Test
     void directionsTellForNormalMapsAlone() {
         TestAssets assets = new TestAssets().picture("n.png", 2, 2, (x, y) -> 0xd080e0);

@@ -233,7 +233,7 @@ vec3 ambientLight(REFLECTANCE r, Surface s) {
 #else
     vec3 toMirror = s.baked.radiance;
 #endif
-    mirrored += toMirror * gainFacing(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
+    mirrored += toMirror * gainMirrored(s.baked, reflect(-s.toEye, s.normal), ownNormal(s));
 #endif
 #endif
 #ifdef BOUNCED_LIGHT
