@@ -81,7 +81,7 @@ float gainFacing(BakedLight light, vec3 n, vec3 own) {
 // the half space above a surface has a mean direction of length 1/2: it has no less of it around m, though half of a plane that faces m is below it.
 float gainMirrored(BakedLight light, vec3 m, vec3 own) {
 #ifdef BAKED_DIRECTION
-    return mix(1.0, gainFacing(light, m, own), clamp(2.0 * length(light.direction) - 1.0, 0.0, 1.0));
+    return mix(1.0, gainFacing(light, m, own), clamp(4.0 * length(light.direction) - 2.0, 0.0, 1.0));
 #else
     return 1.0;
 #endif
