@@ -26,12 +26,13 @@ public record QualityFront(List<Point> points, int start) {
      */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(
-                    new Point("resolution 0.25", small(0.25), 0.21),
-                    new Point("low", Quality.LOW, 0.27),
-                    new Point("resolution 0.5", live(0.5), 0.43),
-                    new Point("resolution 0.6", live(0.6), 0.53),
-                    new Point("medium", Quality.MEDIUM, 0.66),
-                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.84),
+                    new Point("resolution 0.25", small(0.25), 0.19),
+                    new Point("low", Quality.LOW, 0.24),
+                    new Point("resolution 0.65", Quality.LOW.with("pictureResolution", 0.65), 0.33),
+                    new Point("resolution 0.5", live(0.5), 0.4),
+                    new Point("resolution 0.6", live(0.6), 0.5),
+                    new Point("medium", Quality.MEDIUM, 0.64),
+                    new Point("resolution 0.85", Quality.MEDIUM.with("pictureResolution", 0.85), 0.82),
                     new Point("high", Quality.HIGH, 1),
                     new Point("ultra", Quality.ULTRA, 2.5)),
             1);
