@@ -35,7 +35,13 @@ public class ShadowTest {
                 assertTrue(m.y * frame.height() >= 2 && m.y * frame.height() <= frame.height() - 2, "row " + m);
                 assertTrue(m.z > 0 && m.z < 1, "depth " + m);
             }
-            assertTrue(Math.max(frame.width(), frame.height()) <= 2048);
+            assertTrue(frame.width() <= 2048 && frame.height() <= frame.width());
+            assertEquals(
+                    0,
+                    new Vector3d(frame.right().toVector())
+                            .cross(frame.up().toVector())
+                            .distance(sun.toVector().normalize()),
+                    1e-12);
         }
     }
 

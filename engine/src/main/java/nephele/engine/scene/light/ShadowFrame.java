@@ -38,7 +38,8 @@ public record ShadowFrame(
     private static final int MARGIN_TEXELS = BORDER_TEXELS + 2;
 
     /**
-     * Fits a projection.
+     * Fits a projection whose longer side is the width. The width of a large map is then {@code maxSide} whatever is
+     * edited; llvmpipe compiles every shader that reads a map anew if a side becomes or ceases to be a power of two.
      *
      * @param casters corners of all shadow casters
      * @param towardsSun any length but zero
@@ -52,9 +53,15 @@ public record ShadowFrame(
         Vector3d up = new Vector3d(back).cross(right);
         double[] x = range(casters, anchor, right);
         double[] y = range(casters, anchor, up);
+        if (y[1] - y[0] > x[1] - x[0]) {
+            Vector3d left = new Vector3d(right).negate();
+            right = up;
+            up = left;
+            x = y;
+            y = range(casters, anchor, up);
+        }
         double[] z = range(casters, anchor, back);
-        double side = Math.max(x[1] - x[0], y[1] - y[0]);
-        double texel = Math.max(FINEST_TEXEL_METRES, side / Math.max(1, maxSide - 2 * MARGIN_TEXELS));
+        double texel = Math.max(FINEST_TEXEL_METRES, (x[1] - x[0]) / Math.max(1, maxSide - 2 * MARGIN_TEXELS));
         int width = texels(x, texel);
         int height = texels(y, texel);
         double depth = (z[1] - z[0]) * 1.01 + 0.1;
