@@ -131,6 +131,8 @@ class DrawingCommandsGlTest {
                 "bench|2|--calibrate",
                 "bench LEVEL --calibrate|2|--calibrate",
                 "bench LEVEL --bare --per-pass|2|--per-pass",
+                "bench LEVEL LEVEL|2|--every-camera",
+                "bench LEVEL --every-camera --frames 3|2|--every-camera",
                 "bench LEVEL --frames 0|2|--frames",
                 "play LEVEL --from 1,2,3|2|x,y,z,yawDeg,pitchDeg",
                 "play LEVEL --ticks-per-second 60|2|--record",

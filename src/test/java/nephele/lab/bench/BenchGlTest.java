@@ -3,6 +3,7 @@ package nephele.lab.bench;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.render.gl.GlContext;
 import org.junit.jupiter.api.Test;
@@ -67,6 +68,16 @@ class BenchGlTest {
         var line = new FrameTimes(60, 12.3456, 6, 7, 1, 6049.25, 336).csv();
         assertEquals("60,12.346,6.000,7.000,1,6049.3,336", line);
         assertEquals(FrameTimes.HEADER.split(",").length, line.split(",").length);
+    }
+
+    @Test
+    void aRowTellsTheDearestPassesFirstAndLeavesOutWhatCostsNothing() {
+        var costs = new PassCosts("clock", Map.of("clouds", 60.0, "solid", 39.0, "exit", 1.0));
+        assertEquals(
+                "| 05.json | main | low | 50.0 | clouds 30.0, solid 19.5 |", costs.row("05.json", "main", "low", 0.5));
+        assertEquals(
+                costs.row("", "", "", 1).split("\\|").length,
+                PassCosts.TABLE_HEADER.lines().findFirst().orElseThrow().split("\\|").length);
     }
 
     @Test

@@ -1,7 +1,11 @@
 package nephele.app.command;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import nephele.engine.measure.FrameTimes;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.host.named.LevelName;
 import nephele.host.named.OpenedLevel;
@@ -13,6 +17,7 @@ import nephele.lab.bench.Bench;
 import nephele.lab.bench.CalibrationDrawing;
 import nephele.lab.bench.Drawing;
 import nephele.lab.bench.LevelDrawing;
+import nephele.lab.bench.PassCosts;
 import nephele.lab.bench.SceneDrawing;
 import nephele.scenes.file.OpenedScene;
 import nephele.scenes.file.SceneName;
@@ -26,16 +31,22 @@ import picocli.CommandLine.Parameters;
 @picocli.CommandLine.Command
 final class BenchCommand implements Command {
     @Parameters(
-            arity = "0..1",
+            arity = "0..*",
             paramLabel = "LEVEL",
-            description = "A level file or an XML scene; none with --calibrate.")
-    private String level;
+            description = "A level file or an XML scene; none with --calibrate; several with --every-camera.")
+    private List<String> levels = List.of();
 
     @Option(names = "--calibrate", description = "Measure one full-screen bilinear quad instead of a level.")
     private boolean calibrate;
 
     @Option(names = "--per-pass", description = "Time each pass as well, and say with which clock.")
     private boolean perPass;
+
+    @Option(
+            names = "--every-camera",
+            description = "Print a table in Markdown: each camera of the levels at each preset, pass by pass,"
+                    + " scaled to a machine that takes 5.8 ms for --calibrate.")
+    private boolean everyCamera;
 
     @Option(names = "--bare", description = "Measure the bare OpenGL twin instead of the engine.")
     private boolean bare;
@@ -55,8 +66,15 @@ final class BenchCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) {
-        if ((level == null) != calibrate) {
+        if (levels.isEmpty() != calibrate) {
             throw CommandFailure.usage("name a level, or say --calibrate");
+        }
+        if (levels.size() > 1 && !everyCamera) {
+            throw CommandFailure.usage("name one level, or say --every-camera");
+        }
+        if (everyCamera && (bare || perPass || camera != null || frames != null || calibrate)) {
+            throw CommandFailure.usage(
+                    "--every-camera chooses what it measures: leave --bare, --per-pass, --camera and --frames out");
         }
         if (bare && perPass) {
             throw CommandFailure.usage("the bare twin has no passes: leave --per-pass or --bare out");
@@ -67,23 +85,59 @@ final class BenchCommand implements Command {
         picture.check();
         if (calibrate) {
             calibrate(terminal);
-        } else if (level.endsWith(".xml")) {
-            measureScene(terminal);
+        } else if (everyCamera) {
+            measureEveryCamera(terminal);
+        } else if (levels.get(0).endsWith(".xml")) {
+            measureScene(levels.get(0), terminal);
         } else {
-            measure(new LevelName(level).open(), terminal);
+            measure(new LevelName(levels.get(0)).open(), terminal);
         }
         return ExitCode.DONE;
     }
 
     private void calibrate(Terminal terminal) {
-        try (var gl = GlContext.offscreen();
-                var drawing = new CalibrationDrawing(
-                        gl, picture.size().width(), picture.size().height())) {
-            print(new Bench(gl).measure(drawing), terminal);
+        try (var gl = GlContext.offscreen()) {
+            print(calibration(gl), terminal);
         }
     }
 
-    private void measureScene(Terminal terminal) {
+    private FrameTimes calibration(GlContext gl) {
+        try (var drawing = new CalibrationDrawing(
+                gl, picture.size().width(), picture.size().height())) {
+            return new Bench(gl).measure(drawing);
+        }
+    }
+
+    private void measureEveryCamera(Terminal terminal) {
+        var opened = levels.stream().map(level -> new LevelName(level).open()).toList();
+        try (var gl = GlContext.offscreen()) {
+            double scale = CalibrationDrawing.USUAL_MS / calibration(gl).cpuMsMean();
+            terminal.out().println(PassCosts.TABLE_HEADER);
+            for (var level : opened) {
+                for (var preset : Quality.Preset.values()) {
+                    rows(gl, level, preset.name().toLowerCase(Locale.ROOT), scale)
+                            .forEach(terminal.out()::println);
+                }
+            }
+        }
+    }
+
+    private List<String> rows(GlContext gl, OpenedLevel opened, String quality, double scale) {
+        var rows = new ArrayList<String>();
+        try (var renderer =
+                        opened.reporting(() -> picture.renderer(opened, gl, picture.at(quality), null, System.err));
+                var target = picture.target(gl)) {
+            for (var each : opened.level().cameras()) {
+                var view = Viewpoints.named(opened.level(), opened.file(), each.id(), picture.aspect())
+                        .apply(0);
+                var costs = PassCosts.of(gl, new LevelDrawing(renderer, List.of(view), target));
+                rows.add(costs.row(opened.file(), each.id(), quality, scale));
+            }
+        }
+        return rows;
+    }
+
+    private void measureScene(String level, Terminal terminal) {
         if (perPass || camera != null) {
             throw CommandFailure.usage("an XML scene has no passes and one camera: leave --per-pass and --camera out");
         }
@@ -109,7 +163,7 @@ final class BenchCommand implements Command {
             print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
-                drawing.passTimes(gl).forEach(terminal.out()::println);
+                PassCosts.of(gl, drawing).csv().forEach(terminal.out()::println);
             }
         }
     }

@@ -80,7 +80,12 @@ final class PictureOptions {
     }
 
     QualityChoice choice() {
-        var choice = new QualityChoice(quality, settings);
+        return at(quality);
+    }
+
+    /** Returns the choice of another preset, with the same single settings. */
+    QualityChoice at(String preset) {
+        var choice = new QualityChoice(preset, settings);
         choice.check();
         return choice;
     }
@@ -94,7 +99,11 @@ final class PictureOptions {
      * @param err receives the progress of a bake, and a warning about baked light that is ignored
      */
     Renderer renderer(OpenedLevel opened, GlContext gl, Output forced, PrintStream err) {
-        var choice = choice();
+        return renderer(opened, gl, choice(), forced, err);
+    }
+
+    /** Builds the renderer for another choice than the requested one. */
+    Renderer renderer(OpenedLevel opened, GlContext gl, QualityChoice choice, Output forced, PrintStream err) {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         var shown = choice.drawn(opened);

@@ -42,7 +42,7 @@ final class FrameStatistics implements AutoCloseable {
         close();
         if (!closes) {
             renderer = timed;
-            timer = StepTimer.of(gl, timed.stepNames().size());
+            timer = StepTimer.of(gl, StepTimer.Clock.WALL, timed.stepNames().size());
             beginInterval(System.nanoTime());
         }
     }

@@ -1,15 +1,11 @@
 package nephele.lab.bench;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import nephele.engine.level.Billboards;
 import nephele.engine.level.Level;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.timing.StepTimer;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 
@@ -18,7 +14,6 @@ public record LevelDrawing(
         Renderer renderer, List<View> views, RenderTarget picture, FrameState state, boolean isAnimated)
         implements Drawing {
     private static final double FRAMES_PER_SECOND = 60;
-    private static final int LEAST_TIMED_FRAMES = 60;
 
     public LevelDrawing(Renderer renderer, List<View> views, RenderTarget picture) {
         this(
@@ -43,29 +38,12 @@ public record LevelDrawing(
         draw(frame, StepListener.NONE);
     }
 
-    private void draw(int frame, StepListener listener) {
+    /** Draws a frame of the round, and calls {@code listener} after each step. */
+    void draw(int frame, StepListener listener) {
         if (isAnimated) {
             state.seconds(frame / FRAMES_PER_SECOND);
         }
         renderer.draw(views.get(frame), state, picture, listener);
-    }
-
-    /** Measures each pass of a frame. Returns CSV lines: a header that names the clock, then one line a pass. */
-    public List<String> passTimes(GlContext gl) {
-        var names = renderer.stepNames();
-        var lines = new ArrayList<String>();
-        try (var timer = StepTimer.of(gl, names.size())) {
-            int frames = Math.max(LEAST_TIMED_FRAMES, roundLength()) * names.size();
-            for (int frame = 0; frame < frames; frame++) {
-                timer.frameBegins();
-                draw(frame % roundLength(), timer);
-            }
-            lines.add("pass,msMean (" + timer.clock() + ")");
-            for (int step = 0; step < names.size(); step++) {
-                lines.add(String.format(Locale.ROOT, "%s,%.3f", names.get(step), timer.meanMs(step)));
-            }
-        }
-        return lines;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package nephele.engine.render.timing;
 
 import java.util.Arrays;
+import java.util.function.LongSupplier;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuTimer;
@@ -14,29 +15,47 @@ public final class StepTimer implements StepListener, AutoCloseable {
     /** {@code null} in software. */
     private final GpuTimer queries;
 
+    private final Clock software;
+
     private final double[] sumMs;
     private final long[] times;
     private int queried = -1;
     private boolean answerWaits;
     private long lastNanos;
 
-    private StepTimer(GlContext gl, GpuTimer queries, int steps) {
+    /**
+     * A clock of steps in software, where each is waited for.
+     *
+     * @param title for readers of the figures
+     * @param nanoseconds since any moment
+     */
+    public record Clock(String title, LongSupplier nanoseconds) {
+        public static final Clock WALL = new Clock("wall time to glFinish", System::nanoTime);
+    }
+
+    private StepTimer(GlContext gl, GpuTimer queries, Clock software, int steps) {
         this.gl = gl;
         this.queries = queries;
+        this.software = software;
         sumMs = new double[steps];
         times = new long[steps];
     }
 
-    public static StepTimer of(GlContext gl, int steps) {
+    public static StepTimer of(GlContext gl, Clock software, int steps) {
         GpuTimer queries = gl.limits().software() ? null : new GpuTimer(gl, "a step of a frame");
-        return new StepTimer(gl, queries, steps);
+        return new StepTimer(gl, queries, software, steps);
+    }
+
+    /** Returns the number of frames in which each step is timed once. */
+    public int framesOfARound() {
+        return queries == null ? 1 : times.length;
     }
 
     /** Must be called before each timed frame. */
     public void frameBegins() {
         if (queries == null) {
             gl.finish();
-            lastNanos = System.nanoTime();
+            lastNanos = software.nanoseconds.getAsLong();
             return;
         }
         if (answerWaits) {
@@ -53,7 +72,7 @@ public final class StepTimer implements StepListener, AutoCloseable {
     public void submitted(int step) {
         if (queries == null) {
             gl.finish();
-            long now = System.nanoTime();
+            long now = software.nanoseconds.getAsLong();
             add(step, now - lastNanos);
             lastNanos = now;
         } else if (step == queried) {
@@ -82,7 +101,7 @@ public final class StepTimer implements StepListener, AutoCloseable {
 
     /** Returns the name of the clock, for readers of the figures. */
     public String clock() {
-        return queries == null ? "wall time to glFinish" : "GPU time";
+        return queries == null ? software.title : "GPU time";
     }
 
     @Override
