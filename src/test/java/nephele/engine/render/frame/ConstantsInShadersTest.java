@@ -35,7 +35,6 @@ class ConstantsInShadersTest {
             "contactSpheres",
             "exits.size(",
             "look.surfaces(",
-            "context.ranges(",
             "clouds",
             "boxes",
             "SquareSheet.vertices(1",

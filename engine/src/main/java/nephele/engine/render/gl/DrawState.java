@@ -15,6 +15,10 @@ public final class DrawState {
         LESS_AND_WRITE_ONLY_DEPTH(GL_LESS, true, false),
         /** Passes at equal depth and writes no depth; for surfaces at the far plane. */
         LESS_OR_EQUAL(GL_LEQUAL, false, true),
+        /** Passes where a surface is nearer; at the far plane that is every pixel with a surface. */
+        GREATER(GL_GREATER, false, true),
+        /** Passes as {@link #GREATER} does, but depth and colour stay unchanged; only the stencil is written. */
+        GREATER_ONLY_STENCIL(GL_GREATER, false, false),
         /** Passes if this very surface is the nearest. */
         EQUAL(GL_EQUAL, false, true),
         /** Passes as {@link #EQUAL} does, but depth and colour stay unchanged; only the stencil is written. */
@@ -189,6 +193,7 @@ public final class DrawState {
         if (newStencil != Stencil.OFF) {
             glStencilFunc(GL_EQUAL, reference, 0xff);
             glStencilOp(GL_KEEP, GL_KEEP, newStencil.whereDrawn);
+            glStencilMask(newStencil.whereDrawn == GL_KEEP ? 0 : 0xff);
         }
         stencil = newStencil;
         stencilReference = reference;

@@ -1,13 +1,8 @@
-// The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution; MIXED:
-// only pixels whose surface is among the clouds. BY_FLASH: a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of
-// a bolt, whose ray ends there; BAKED: all pixels of a picture that is kept, without surfaces, air and fog. SHARED: another
-// technique may draw a part of the cloud.
+// The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution. BY_FLASH:
+// a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of a bolt, whose ray ends there; BAKED: all pixels of a
+// picture that is kept, without surfaces, air and fog. SHARED: another technique may draw a part of the cloud.
 #include "output.glsl"
-#ifdef MIXED
-#include "cloud-ranges.glsl"
-#else
 #include "cloud-span.glsl"
-#endif
 
 #if defined(BAKED) || defined(WHOLE) && !defined(BY_FLASH)
 layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage. CAPTURED:
@@ -101,12 +96,6 @@ CloudPixel cloudPixel() {
     float unit = length(direction);
     vec3 ray = direction / unit;
     vec2 visible = visiblePart(ray, unit);
-#ifdef MIXED
-    vec2 range = rangeOfClouds(ray);
-    if (visible.y <= range.x || visible.y >= range.y) {
-        discard;
-    }
-#endif
     return CloudPixel(rayPlace, ray, visible);
 }
 

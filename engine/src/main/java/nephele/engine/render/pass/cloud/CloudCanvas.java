@@ -14,9 +14,6 @@ public final class CloudCanvas {
 
     static final int FLASH_LIGHTS = ALONG_BOLT.length;
 
-    /** {@code null} for a picture that is kept. */
-    private final CloudRanges ranges;
-
     private final FrameLightning lightning;
     private CloudPixels pixels;
     private View view;
@@ -43,8 +40,7 @@ public final class CloudCanvas {
             double secondsBefore) {}
 
     /** @param lightning {@code null} for none */
-    CloudCanvas(CloudRanges ranges, FrameLightning lightning) {
-        this.ranges = ranges;
+    CloudCanvas(FrameLightning lightning) {
         this.lightning = lightning;
     }
 
@@ -54,7 +50,7 @@ public final class CloudCanvas {
      * @param focus around which layers are sampled finely
      */
     public static CloudCanvas baked(View view, Vec3 focus) {
-        var canvas = new CloudCanvas(null, null);
+        var canvas = new CloudCanvas(null);
         canvas.begin(CloudPixels.BAKED, view, focus, null);
         return canvas;
     }
@@ -97,9 +93,7 @@ public final class CloudCanvas {
             uniforms.blown().set(cloud.blown(grid.secondsBefore));
         }
         uniforms.cloudFraction().set(cloud.fractionDrawn());
-        if (pixels == CloudPixels.MIXED) {
-            ranges.put(uniforms.ranges(), view);
-        } else if (pixels == CloudPixels.BOLT) {
+        if (pixels == CloudPixels.BOLT) {
             uniforms.boltFromEye().set(boltFromEye());
         } else if (pixels == CloudPixels.FLASH) {
             Vec3 from = boltFromEye();

@@ -67,6 +67,9 @@ final class CloudFlash {
      */
     void add(FrameContext frame, CloudRanges ranges, FullScreenTriangle triangle) {
         frame.surface().bind();
-        layer.draw(Blend.ADD, ranges, frame.view(), triangle);
+        layer.draw(Blend.ADD, triangle);
+        if (ranges != null) {
+            layer.drawOverSurfaces(Blend.ADD, ranges, frame.view(), triangle);
+        }
     }
 }

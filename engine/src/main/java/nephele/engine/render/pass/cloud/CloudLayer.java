@@ -58,11 +58,16 @@ final class CloudLayer implements GlObject {
     /** Smooths a layer once, so that a pixel of the view needs one look at it. */
     private GlProgram<Uniforms.None> join;
 
-    /** Draws a layer over a view where no surface is before or among the clouds. */
+    /** Draws a layer over the pixels of a view without a surface. */
     private GlProgram<Uniforms.None> composite;
 
-    /** Draws it where surfaces can be among the clouds. */
+    /** Draws it over surfaces behind all clouds. */
     private GlProgram<CloudRanges.Places> compositeMixed;
+
+    /** Writes the stencil where a surface is behind the beginning of one cloud. */
+    private GlProgram<CloudRanges.Places> marking;
+
+    private GlProgram<Uniforms.None> unmarking;
 
     private View before;
     private double seconds;
@@ -220,32 +225,55 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
-    /**
-     * Draws the layer over the bound view.
-     *
-     * @param ranges of the clouds, if surfaces can be among them and hide some; otherwise {@code null}
-     */
-    void draw(Blend blend, CloudRanges ranges, View view, FullScreenTriangle triangle) {
-        boolean isMixed = ranges != null;
-        gl.state().set(isMixed ? Depth.OFF : Depth.LESS_OR_EQUAL, blend, Cull.NONE);
-        if (isMixed) {
-            if (compositeMixed == null) {
-                compositeMixed = program("composite.frag", defines("MIXED"), CloudRanges.Places.class);
-            }
-            compositeMixed.use();
-            ranges.put(compositeMixed.uniforms(), view);
-        } else {
-            if (composite == null) {
-                composite = program("composite.frag", defines("FARTHEST"), Uniforms.None.class);
-            }
-            composite.use();
+    /** Draws the layer over the pixels of the bound view without a surface. */
+    void draw(Blend blend, FullScreenTriangle triangle) {
+        if (composite == null) {
+            composite = program("composite.frag", defines(clouds), Uniforms.None.class);
         }
+        gl.state().set(Depth.LESS_OR_EQUAL, blend, Cull.NONE);
+        composite.use();
         joined.colour().bind(TextureUnit.COLOURS);
         triangle.draw();
     }
 
-    private Defines defines(String kind) {
-        return Defines.of(context).with(kind).with("CLOUDS", clouds).with("DIVISOR", (double) divisor);
+    /**
+     * Draws the layer over the surfaces behind all clouds. Those among the clouds stay as they are, but pass the stencil
+     * test too.
+     */
+    void drawOverSurfaces(Blend blend, CloudRanges ranges, View view, FullScreenTriangle triangle) {
+        if (compositeMixed == null) {
+            compositeMixed = program("composite.frag", defines(clouds).with("MIXED"), CloudRanges.Places.class);
+        }
+        gl.state().set(Depth.GREATER, blend, Cull.NONE);
+        compositeMixed.use();
+        ranges.put(compositeMixed.uniforms(), view);
+        joined.colour().bind(TextureUnit.COLOURS);
+        triangle.draw();
+    }
+
+    /** Changes the stencil, as it is set to, where a surface is behind the beginning of a cloud. */
+    void mark(CloudRanges ranges, PlacedCloud cloud, View view, FullScreenTriangle triangle) {
+        if (marking == null) {
+            marking = program("composite.frag", defines(1).with("MIXED"), CloudRanges.Places.class);
+        }
+        gl.state().set(Depth.GREATER_ONLY_STENCIL, Blend.REPLACE, Cull.NONE);
+        marking.use();
+        ranges.put(marking.uniforms(), cloud, view);
+        triangle.draw();
+    }
+
+    /** Changes the stencil, as it is set to, of all surfaces. */
+    void unmark(FullScreenTriangle triangle) {
+        if (unmarking == null) {
+            unmarking = program("nothing.frag", defines(1), Uniforms.None.class);
+        }
+        gl.state().set(Depth.GREATER_ONLY_STENCIL, Blend.REPLACE, Cull.NONE);
+        unmarking.use();
+        triangle.draw();
+    }
+
+    private Defines defines(int clouds) {
+        return Defines.of(context).with("FARTHEST").with("CLOUDS", clouds).with("DIVISOR", (double) divisor);
     }
 
     private <U extends Record> GlProgram<U> program(String fragment, Defines defines, Class<U> uniforms) {

@@ -22,9 +22,11 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.OwnedObjects;
@@ -125,7 +127,7 @@ public final class CloudPass implements Pass {
             clouds.add(new PlacedCloud(sources.get(i), i));
         }
         ranges = new CloudRanges(clouds);
-        canvas = new CloudCanvas(ranges, lightning);
+        canvas = new CloudCanvas(lightning);
         surfaces = context.scene().statics().bounds();
         Quality quality = context.quality();
         int divisor = (int) Math.round(1 / quality.cloudResolution());
@@ -135,7 +137,7 @@ public final class CloudPass implements Pass {
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side, ranges.count())) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1, ranges.count())) : null;
         flash = lightning == null ? null : new CloudFlash(context, divisor, ranges.count());
-        addDrawings(new CloudContext(context, impostors, ranges.count()));
+        addDrawings(new CloudContext(context, impostors));
     }
 
     /** Returns the feature with these techniques, the one for {@code auto} first. */
@@ -212,7 +214,7 @@ public final class CloudPass implements Pass {
     private Entry passing(
             PlacedCloud cloud, PassingStage stage, List<List<CloudTechnique>> stages, CloudContext inPass) {
         var before = new PlacedCloud(source(stage, cloud), cloud.index());
-        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null, inPass.ranges());
+        var own = new CloudContext(passing.with(levelClouds.chosenFor(stages.get(0))), null);
         CloudDrawing drawing = drawn(before.source()).build().apply(own, before);
         return new Entry(before, stage.clouds, stages, drawing, null);
     }
@@ -336,10 +338,39 @@ public final class CloudPass implements Pass {
         draw(CloudPixels.WHOLE, view, layer);
         layer.end(view, nearest(view.eye()), triangle);
         frame.surface().bind();
-        layer.draw(Blend.PREMULTIPLIED_OVER, mixed ? ranges : null, view, triangle);
+        layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
         if (mixed) {
-            draw(CloudPixels.MIXED, view, null);
+            drawOverSurfaces(frame, layer);
         }
+    }
+
+    /**
+     * Draws the clouds in front of surfaces that are behind all of them or among them. The stencil counts the pixels of
+     * the latter, and on top of it those where the cloud that is drawn begins before the surface.
+     */
+    private void drawOverSurfaces(FrameContext frame, CloudLayer layer) {
+        View view = frame.view();
+        DrawState state = gl.state();
+        int depth = frame.nested() == null ? 0 : frame.nested().openingsCounted(frame.node());
+        state.stencil(Stencil.EQUAL_COUNT_UP, depth);
+        layer.drawOverSurfaces(Blend.PREMULTIPLIED_OVER, ranges, view, triangle);
+        double farthest = farthestSurface(view.eye());
+        canvas.begin(CloudPixels.ALL, view, levelClouds.current().focus(), null);
+        for (int i = 0; i < entries.size(); i++) {
+            PlacedCloud cloud = entries.get(i).cloud;
+            if (entries.get(i).isDrawn() && cloud.distance(view.eye()) < farthest) {
+                state.stencil(Stencil.EQUAL_COUNT_UP, depth + 1);
+                layer.mark(ranges, cloud, view, triangle);
+                state.stencil(Stencil.EQUAL, depth + 2);
+                state.set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+                entries.get(i).drawing.draw(canvas);
+                state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 2);
+                layer.unmark(triangle);
+            }
+        }
+        state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
+        layer.unmark(triangle);
+        state.stencil(depth == 0 ? Stencil.OFF : Stencil.EQUAL, depth);
     }
 
     private void drawFlash(FrameContext frame, CloudInterval now, boolean mixed) {

@@ -2,12 +2,10 @@ package nephele.engine.render.pass.cloud;
 
 /** Which pixels a program for clouds draws, and what of a cloud. */
 public enum CloudPixels {
-    /** All, as far as surfaces let them see. */
+    /** All that the stencil passes, as far as surfaces let them see. */
     ALL,
     /** All of a layer, as if there were no surfaces. */
     WHOLE,
-    /** Pixels whose surface lies among the clouds. */
-    MIXED,
     /** All of a layer, as {@link #WHOLE}: the light of a flash of lightning in the cloud. */
     FLASH,
     /** One for each point of a bolt: what the cloud hides of it. */
@@ -29,6 +27,6 @@ public enum CloudPixels {
 
     /** Returns true if another technique may draw a part of the cloud's optical depth. */
     boolean isShared() {
-        return this == ALL || this == WHOLE || this == MIXED;
+        return this == ALL || this == WHOLE;
     }
 }

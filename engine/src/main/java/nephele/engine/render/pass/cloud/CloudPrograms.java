@@ -61,10 +61,8 @@ public final class CloudPrograms<U extends Record> {
                 .withIf(pixels == CloudPixels.FLASH, "BY_FLASH")
                 .withIf(pixels == CloudPixels.BOLT, "OF_BOLT")
                 .with("FLASH_LIGHTS", CloudCanvas.FLASH_LIGHTS)
-                .withIf(pixels == CloudPixels.MIXED, "MIXED")
                 .withIf(pixels == CloudPixels.BAKED, "BAKED")
                 .withIf(pixels.isShared(), "SHARED")
-                .with("CLOUDS", context.ranges())
                 .with("MOST_BOXES", MOST_BOXES);
         return GlProgram.of(
                 context.load().gl(), vertex, fragment, choices.apply(defines).values(), uniforms);
@@ -74,8 +72,6 @@ public final class CloudPrograms<U extends Record> {
      * The uniforms that programs of clouds share; each program reads some of them. {@link CloudCanvas} sets those of {@code
      * cloud-pixel.glsl}, where and what is drawn; {@link LitCloud} those of {@code cloud-light.glsl} and {@code cell-boxes.glsl},
      * the cloud and its light.
-     *
-     * @param ranges for {@link CloudPixels#MIXED}
      */
     public record Shared(
             @IfRead Vector2 layerStep,
@@ -86,7 +82,6 @@ public final class CloudPrograms<U extends Record> {
             @IfRead Vector3 boltFromEye,
             @IfRead List<Vector4> flashLights,
             @IfRead Vector3 flashIntensity,
-            @IfRead CloudRanges.Places ranges,
             @IfRead Boxes nested,
             @IfRead Vector4 medium,
             @IfRead Vector4 phase,

@@ -45,17 +45,27 @@ final class CloudRanges {
         return count;
     }
 
+    /** Sets the bounds of all clouds. */
     void put(Places places, View view) {
         for (int i = 0; i < places.rangeBase.size(); i++) {
-            Aabb box = bounds.get(i);
-            boolean isLayer = box.maxX() == Double.POSITIVE_INFINITY;
-            double middleX = isLayer ? 0 : (box.minX() + box.maxX()) / 2 - view.eyeX();
-            double middleZ = isLayer ? 0 : (box.minZ() + box.maxZ()) / 2 - view.eyeZ();
-            places.rangeBase.get(i).set(middleX, box.minY() - view.eyeY(), middleZ);
-            double halfX = isLayer ? ENDLESS : (box.maxX() - box.minX()) / 2;
-            double halfZ = isLayer ? ENDLESS : (box.maxZ() - box.minZ()) / 2;
-            places.rangeHalf.get(i).set(halfX, box.maxY() - box.minY(), halfZ);
+            put(places, i, bounds.get(i), view);
         }
         places.rangePlanet.set(halfCurvature, view.eyeY());
+    }
+
+    /** Sets the bounds of one cloud, for a program that knows one. */
+    void put(Places places, PlacedCloud cloud, View view) {
+        put(places, 0, cloud.bounds(), view);
+        places.rangePlanet.set(halfCurvature, view.eyeY());
+    }
+
+    private static void put(Places places, int index, Aabb box, View view) {
+        boolean isLayer = box.maxX() == Double.POSITIVE_INFINITY;
+        double middleX = isLayer ? 0 : (box.minX() + box.maxX()) / 2 - view.eyeX();
+        double middleZ = isLayer ? 0 : (box.minZ() + box.maxZ()) / 2 - view.eyeZ();
+        places.rangeBase.get(index).set(middleX, box.minY() - view.eyeY(), middleZ);
+        double halfX = isLayer ? ENDLESS : (box.maxX() - box.minX()) / 2;
+        double halfZ = isLayer ? ENDLESS : (box.maxZ() - box.minZ()) / 2;
+        places.rangeHalf.get(index).set(halfX, box.maxY() - box.minY(), halfZ);
     }
 }

@@ -44,7 +44,7 @@ public final class Impostors {
     private final int side;
     private final Aabb surfaces;
     private final List<Impostor> all = new ArrayList<>();
-    private final CloudCanvas canvas = new CloudCanvas(null, null);
+    private final CloudCanvas canvas = new CloudCanvas(null);
     private final Frustum sight = Frustum.reusable(6);
     private final Matrix4d clipFromRelative = new Matrix4d();
     private final DrawState.Limits before = new DrawState.Limits();

@@ -1,0 +1,3 @@
+// Changes the stencil alone.
+void main() {
+}
