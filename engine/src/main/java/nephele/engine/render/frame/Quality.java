@@ -245,6 +245,7 @@ public record Quality(
                 TerrainDetail terrainDetail,
         @QualitySetting(
                         high = "1",
+                        low = "4",
                         least = 0.1,
                         most = 64,
                         title = "Error of terrains",
