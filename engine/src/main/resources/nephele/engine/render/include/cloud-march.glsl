@@ -39,23 +39,37 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
     float at = visible.x;
     float share = offset;
     while (at < visible.y && ray.scaled > OPAQUE) {
-        float stepMetres = stepping.x * max(cellEdges.w, GROWTH * at);
-        float from = at;
-        float to = min(at + share * stepMetres, visible.y);
-        float middle = 0.5 * (from + to);
-        vec3 place = middle * direction;
-        float height = heightAbove(direction, middle, planet);
-        vec2 box = boxOf(place);
-        vec4 cell = textureLod(cloudDensity, texelOf(place, height, box.x, cells.x), 0.0);
-        at = to;
-        share = 1.0;
-        if (cell.g * FARTHEST >= 1.0) {
-            // Whole steps, so that the samples of neighbouring rays stay side by side.
-            vec3 edges = cellEdges.xyz * vec3(1.0, 0.0, 1.0) * pow(WIDENING, box.x) + vec3(0.0, cellEdges.y, 0.0);
-            vec3 perMetre = abs(direction) / edges;
-            float emptyMetres = cell.g * FARTHEST / max(perMetre.x, max(perMetre.y, perMetre.z));
-            at += stepMetres * max(0.0, floor(emptyMetres / stepMetres - 1.0));
-            continue;
+        float from;
+        float to;
+        float middle;
+        vec3 place;
+        float height;
+        vec2 box;
+        vec4 cell;
+        bool isEmpty;
+        // A loop of its own, since a software renderer runs what follows for each sample, empty or not.
+        do {
+            float stepMetres = stepping.x * max(cellEdges.w, GROWTH * at);
+            from = at;
+            to = min(at + share * stepMetres, visible.y);
+            middle = 0.5 * (from + to);
+            place = middle * direction;
+            height = heightAbove(direction, middle, planet);
+            box = boxOf(place);
+            cell = textureLod(cloudDensity, texelOf(place, height, box.x, cells.x), 0.0);
+            at = to;
+            share = 1.0;
+            isEmpty = cell.g * FARTHEST >= 1.0;
+            if (isEmpty) {
+                // Whole steps, so that the samples of neighbouring rays stay side by side.
+                vec3 edges = cellEdges.xyz * vec3(1.0, 0.0, 1.0) * pow(WIDENING, box.x) + vec3(0.0, cellEdges.y, 0.0);
+                vec3 perMetre = abs(direction) / edges;
+                float emptyMetres = cell.g * FARTHEST / max(perMetre.x, max(perMetre.y, perMetre.z));
+                at += stepMetres * max(0.0, floor(emptyMetres / stepMetres - 1.0));
+            }
+        } while (isEmpty && at < visible.y);
+        if (isEmpty) {
+            break;
         }
 #ifdef NOISE
         float density = noiseDensity(vec3(place.x, height, place.z), box);
