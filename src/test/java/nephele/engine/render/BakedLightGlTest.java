@@ -154,7 +154,6 @@ class BakedLightGlTest {
         }
     }
 
-    /** Flat walls are the same with and without directions; a normal map is lit by the ratio of its twin. */
     /** A hemisphere of even light has half of its luminance as mean direction, and looks the same in each mirrored direction. */
     @Test
     void metalMirrorsEvenLightFromEverywhere() {
@@ -175,6 +174,7 @@ class BakedLightGlTest {
         }
     }
 
+    /** Flat walls are the same with and without directions; a normal map is lit by the ratio of its twin. */
     @Test
     void directionsTellForNormalMapsAlone() {
         TestAssets assets = new TestAssets().picture("n.png", 2, 2, (x, y) -> 0xd080e0);

@@ -13,6 +13,7 @@ import java.util.Map;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import org.junit.jupiter.api.Test;
@@ -56,6 +57,25 @@ class LayersGlTest {
     private static int[] firstTexel(RenderTarget target) {
         ByteBuffer all = target.readBytes();
         return new int[] {all.get(0) & 0xff, all.get(1) & 0xff, all.get(2) & 0xff, all.get(3) & 0xff};
+    }
+
+    /** A clear obeys the stencil's mask: it empties the stencil also after a test that leaves it as it is. */
+    @Test
+    void aClearEmptiesTheStencil() {
+        try (GlContext gl = GlContext.offscreen();
+                var target = RenderTarget.picture(gl, "shown", PixelFormat.RGBA8, 1, 1)) {
+            target.clear(0, 0, 0);
+            gl.state().stencil(Stencil.EQUAL_COUNT_UP, 0);
+            cover(gl, Blend.REPLACE, "", "vec4(0.2)", null);
+            gl.state().stencil(Stencil.EQUAL, 1);
+            cover(gl, Blend.REPLACE, "", "vec4(0.4)", null);
+            assertEquals(102, firstTexel(target)[0]);
+            gl.state().stencil(Stencil.OFF, 0);
+            target.clear(0, 0, 0);
+            gl.state().stencil(Stencil.EQUAL, 0);
+            cover(gl, Blend.REPLACE, "", "vec4(0.6)", null);
+            assertEquals(153, firstTexel(target)[0]);
+        }
     }
 
     /** Half-way between slices of 0 and 200 the value is 100, and the slices repeat. */

@@ -193,8 +193,9 @@ public final class DrawState {
         if (newStencil != Stencil.OFF) {
             glStencilFunc(GL_EQUAL, reference, 0xff);
             glStencilOp(GL_KEEP, GL_KEEP, newStencil.whereDrawn);
-            glStencilMask(newStencil.whereDrawn == GL_KEEP ? 0 : 0xff);
         }
+        // llvmpipe tests before a shader that discards only if the stencil stays. A clear obeys the mask.
+        glStencilMask(newStencil == Stencil.EQUAL ? 0 : 0xff);
         stencil = newStencil;
         stencilReference = reference;
     }
