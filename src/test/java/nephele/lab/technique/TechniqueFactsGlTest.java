@@ -19,6 +19,7 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Exposure;
 import nephele.engine.level.Level;
+import nephele.engine.level.RecordCopy;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.ToneCurve;
@@ -61,7 +62,9 @@ class TechniqueFactsGlTest {
                 0.05,
                 1,
                 0.85);
-        List<Cloud> clouds = technique == null ? List.of() : List.of(cloud);
+        // One that changes reads the cells of two times.
+        var drifting = RecordCopy.with(cloud, "motion", new Cloud.Motion(new Vec3(1, 0, 0), 0));
+        List<Cloud> clouds = technique == null ? List.of() : List.of(drifting);
         var environment = new Environment(
                 new Sun(new Vec3(0.3, 0.8, 0.2), new Vec3(3, 3, 3), true),
                 new Sky.Constant(new Vec3(0.2, 0.3, 0.5)),

@@ -169,6 +169,11 @@ public final class CloudTimeline implements AutoCloseable {
         return Math.max(SHORTEST_SECONDS, step);
     }
 
+    /** Returns true if the clouds and the light in them never change. */
+    public boolean isSteady() {
+        return instants.stepSeconds() == Double.POSITIVE_INFINITY;
+    }
+
     /** Returns the clouds that have any extinction. */
     public List<CloudSource> sources() {
         return sources;

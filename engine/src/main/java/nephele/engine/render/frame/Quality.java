@@ -141,11 +141,13 @@ public record Quality(
                         least = 0.125,
                         title = "Rays through clouds",
                         about = "How many rays are marched along each side of the picture. Fewer are interpolated;"
-                                + " pixels whose surface is among the clouds are always marched on their own.")
+                                + " in front of surfaces there are half as many, but each pixel of an edge sees what"
+                                + " is in front of its own surface.")
                 double cloudResolution,
         @QualitySetting(
                         high = "four_frames",
                         low = "sixteen_frames",
+                        medium = "sixteen_frames",
                         ultra = "none",
                         title = "Rays through clouds among frames",
                         about = "A frame marches one ray of each square of rays; the others show what earlier frames"

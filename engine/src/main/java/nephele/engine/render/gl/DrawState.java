@@ -17,14 +17,14 @@ public final class DrawState {
         LESS_OR_EQUAL(GL_LEQUAL, false, true),
         /** Passes where a surface is nearer; at the far plane that is every pixel with a surface. */
         GREATER(GL_GREATER, false, true),
-        /** Passes as {@link #GREATER} does, but depth and colour stay unchanged; only the stencil is written. */
-        GREATER_ONLY_STENCIL(GL_GREATER, false, false),
         /** Passes if this very surface is the nearest. */
         EQUAL(GL_EQUAL, false, true),
         /** Passes as {@link #EQUAL} does, but depth and colour stay unchanged; only the stencil is written. */
         EQUAL_ONLY_STENCIL(GL_EQUAL, false, false),
         ALWAYS_AND_WRITE(GL_ALWAYS, true, true),
-        ALWAYS_AND_WRITE_ONLY_DEPTH(GL_ALWAYS, true, false);
+        ALWAYS_AND_WRITE_ONLY_DEPTH(GL_ALWAYS, true, false),
+        /** Depth and colour stay unchanged; only the stencil is written. */
+        ALWAYS_ONLY_STENCIL(GL_ALWAYS, false, false);
 
         private final int function;
         private final boolean depthWritten;

@@ -13,6 +13,7 @@ public enum PixelFormat {
     RG16(GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4),
     R32F(GL_R32F, GL_RED, GL_FLOAT, 4),
     RG16F(GL_RG16F, GL_RG, GL_FLOAT, 4),
+    RG32F(GL_RG32F, GL_RG, GL_FLOAT, 8),
     /** Three positive numbers with a common exponent, filtered like others; shaders cannot draw to it. */
     RGB9_E5(GL_RGB9_E5, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV, 4),
     RGBA16F(GL_RGBA16F, GL_RGBA, GL_FLOAT, 8),

@@ -73,6 +73,11 @@ public final class FrameClouds implements GlObject {
         return (bounds.isEmpty() ? new Aabb(0, 0, 0, 0, 0, 0) : bounds).grown(SHADE_MARGIN_METRES);
     }
 
+    /** Returns true if the clouds and the light in them never change. */
+    public boolean isSteady() {
+        return timeline == null || timeline.isSteady();
+    }
+
     /** Takes the clouds of a frame, sampled finely around its eye. */
     public void follow(FrameState frameState, Vec3 eye) {
         if (sources().isEmpty()) {

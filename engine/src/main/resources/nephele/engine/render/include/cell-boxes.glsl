@@ -1,5 +1,5 @@
 // Nested boxes of cells around a focus, each wider than the one before. In a texture they stand on top of each other, the
-// narrowest lowest. Twin: nephele.engine.cloud.cells.CellMarch.
+// narrowest lowest. ONE_BOX: there is one. Twin: nephele.engine.cloud.cells.CellMarch.
 uniform vec4 boxes[MOST_BOXES]; // xy: middle, relative to the eye; zw: 1 / widths
 uniform vec4 cells; // x, y: rows of a box in a cloud's density and light; z: boxes; w: share of the next time
 uniform vec3 cloudBase; // lower side of the middle or, in a layer, below the focus, relative to the eye, metres
@@ -11,11 +11,15 @@ const float FADING = java(cloud.cells.CellMarch.FADING); // share of a box's rea
 
 // The box that serves a place, and the share that the next wider one has already.
 vec2 boxOf(vec3 place) {
+#ifdef ONE_BOX
+    return vec2(0.0);
+#else
     vec2 apart = abs(place.xz - cloudBase.xz) / cloudHalf.xz;
     float widenings = PER_LOG2 * log2(max(1e-6, max(apart.x, apart.y)));
     float box = min(cells.z - 1.0, ceil(max(0.0, widenings) - 1e-6));
     float next = box + 1.0 < cells.z ? clamp((widenings - box + FADING) / FADING, 0.0, 1.0) : 0.0;
     return vec2(box, next);
+#endif
 }
 
 vec2 acrossBox(vec3 place, float box) {

@@ -1,10 +1,12 @@
-// Light that a part of a ray through a cloud sends to the eye, from the cloud's cells of light.
+// Light that a part of a ray through a cloud sends to the eye, from the cloud's cells of light. STEADY: there is no next time.
 #include "cell-boxes.glsl"
 
 uniform sampler3D cloudDensity; // r, a: density at the last and the next sampled time; g: distance to the nearest cell with
                                 // some; b: light that absorption leaves
 uniform sampler3D cloudLight; // at the last time: sun-ward depth, diffuse mean, diffuse slope, share from above
+#ifndef STEADY
 uniform sampler3D cloudLightToCome; // at the next time
+#endif
 uniform sampler2D smallAngles; // by separation and depth
 uniform vec4 medium; // greatest extinction per metre; scaled divided by true depth; albedo; scaled albedo
 uniform vec4 phase; // scaled cosine; 1 / deepest depth of smallAngles; 1 / twice the planet's radius, 0 if flat; asymmetry
@@ -45,13 +47,23 @@ struct RayAngles {
 vec4 lightOf(vec3 place, float height, float box) {
     vec3 texel = texelOf(place, height, box, cells.y);
     vec4 light = textureLod(cloudLight, texel, 0.0);
-    return cells.w > 0.0 ? mix(light, textureLod(cloudLightToCome, texel, 0.0), cells.w) : light;
+#ifndef STEADY
+    light = cells.w > 0.0 ? mix(light, textureLod(cloudLightToCome, texel, 0.0), cells.w) : light;
+#endif
+    return light;
 }
 
 vec4 lightAt(vec3 place, float height) {
     vec2 box = boxOf(place);
-    vec4 light = lightOf(place, height, box.x);
-    return box.y > 0.0 ? mix(light, lightOf(place, height, box.x + 1.0), box.y) : light;
+    vec4 light = vec4(0.0);
+    float share = 1.0;
+    // A loop, since a software renderer runs both sides of a condition.
+    do {
+        light = mix(light, lightOf(place, height, box.x), share);
+        share = box.y;
+        box = vec2(box.x + 1.0, 0.0);
+    } while (share > 0.0);
+    return light;
 }
 
 // Light that turns once by any angle or often by small ones, per optical depth.

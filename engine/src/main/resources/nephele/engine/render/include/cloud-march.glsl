@@ -22,7 +22,11 @@ vec2 insideCloud(vec3 ray) {
 #endif
 
 float cellDensity(vec4 cell) {
+#ifdef STEADY
+    return cell.r;
+#else
     return mix(cell.r, cell.a, cells.w);
+#endif
 }
 
 #ifdef BY_FLASH
@@ -46,7 +50,7 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
         float height;
         vec2 box;
         vec4 cell;
-        bool isEmpty;
+        float density;
         // A loop of its own, since a software renderer runs what follows for each sample, empty or not.
         do {
             float stepMetres = stepping.x * max(cellEdges.w, GROWTH * at);
@@ -59,29 +63,27 @@ CloudRay marchedCloud(vec3 direction, vec2 visible, float offset) {
             cell = textureLod(cloudDensity, texelOf(place, height, box.x, cells.x), 0.0);
             at = to;
             share = 1.0;
-            isEmpty = cell.g * FARTHEST >= 1.0;
-            if (isEmpty) {
+            density = 0.0;
+            if (cell.g * FARTHEST >= 1.0) {
                 // Whole steps, so that the samples of neighbouring rays stay side by side.
                 vec3 edges = cellEdges.xyz * vec3(1.0, 0.0, 1.0) * pow(WIDENING, box.x) + vec3(0.0, cellEdges.y, 0.0);
                 vec3 perMetre = abs(direction) / edges;
                 float emptyMetres = cell.g * FARTHEST / max(perMetre.x, max(perMetre.y, perMetre.z));
                 at += stepMetres * max(0.0, floor(emptyMetres / stepMetres - 1.0));
-            }
-        } while (isEmpty && at < visible.y);
-        if (isEmpty) {
-            break;
-        }
+            } else {
 #ifdef NOISE
-        float density = noiseDensity(vec3(place.x, height, place.z), box);
+                density = noiseDensity(vec3(place.x, height, place.z), box);
 #else
-        float density = cellDensity(cell);
-        if (box.y > 0.0) {
-            vec4 wider = textureLod(cloudDensity, texelOf(place, height, box.x + 1.0, cells.x), 0.0);
-            density = mix(density, cellDensity(wider), box.y);
-        }
+                density = cellDensity(cell);
+                if (box.y > 0.0) {
+                    vec4 wider = textureLod(cloudDensity, texelOf(place, height, box.x + 1.0, cells.x), 0.0);
+                    density = mix(density, cellDensity(wider), box.y);
+                }
 #endif
+            }
+        } while (density <= 0.0 && at < visible.y);
         if (density <= 0.0) {
-            continue;
+            break;
         }
         float depth = density * medium.x * (to - from);
 #if defined(BY_FLASH)

@@ -33,10 +33,13 @@ float bodyDepth(vec3 place, float box) {
 float noiseDensity(vec3 place, vec2 box) {
     float height = clamp((place.y - cloudBase.y) / cloudHalf.y, 0.0, 1.0);
     vec4 profile = textureLod(profileTable, vec2((height * (KNOTS - 1.0) + 0.5) / KNOTS, 0.5), 0.0);
-    float inside = bodyDepth(place, box.x);
-    if (box.y > 0.0) {
-        inside = mix(inside, bodyDepth(place, box.x + 1.0), box.y);
-    }
+    float inside = 0.0;
+    float share = 1.0;
+    do {
+        inside = mix(inside, bodyDepth(place, box.x), share);
+        share = box.y;
+        box = vec2(box.x + 1.0, 0.0);
+    } while (share > 0.0);
     inside -= profile.r;
     if (inside <= 0.0) {
         return 0.0;

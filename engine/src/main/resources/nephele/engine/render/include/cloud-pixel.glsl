@@ -1,10 +1,15 @@
-// The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution. BY_FLASH:
-// a layer as WHOLE, lit by a flash; OF_BOLT: a pixel for each point of a bolt, whose ray ends there; BAKED: all pixels of a
-// picture that is kept, without surfaces, air and fog. SHARED: another technique may draw a part of the cloud.
+// The ray of a pixel for one cloud, and what is written of it. WHOLE: as if there were no surfaces, at low resolution.
+// BEFORE_SURFACES: as WHOLE, or at every pixel, in front of surfaces. BY_FLASH: a layer as WHOLE, lit by a flash. OF_BOLT: a
+// pixel for each point of a bolt, whose ray ends there. BAKED: all pixels of a picture that is kept, without surfaces, air and
+// fog. SHARED: another technique may draw a part of the cloud.
 #include "output.glsl"
 #include "cloud-span.glsl"
 
-#if defined(BAKED) || defined(WHOLE) && !defined(BY_FLASH)
+#if defined(WHOLE) && !defined(BY_FLASH) && !defined(BEFORE_SURFACES)
+#define PLACED
+#endif
+
+#if defined(BAKED) || defined(PLACED)
 layout(location = 1) out vec4 place; // times coverage: r: kilometres to the cloud; gb: motionAcross; a: coverage. CAPTURED:
                                      // r: metres behind the picture's plane; g: 1
 #endif
@@ -12,12 +17,16 @@ layout(location = 1) out vec4 place; // times coverage: r: kilometres to the clo
 #ifdef WHOLE
 #include "layer-ray.glsl"
 uniform vec3 marchedSquare; // x: side of the square of rays of which one is drawn; y, z: that one's place from the middle
-#ifndef BY_FLASH
 #ifdef CAPTURED
 uniform float capturedPlane; // distance along the view's axis, metres
-#else
+#elif defined(PLACED)
 uniform vec3 blown; // how far the wind has carried the cloud since the layer before, metres
 #endif
+#ifdef BEFORE_SURFACES
+#include "view-distance.glsl"
+uniform sampler2D viewDepth;
+uniform sampler2D surfaceCuts; // of surface/cuts.frag
+uniform vec3 cut; // one component is 1: what is drawn is in front of x: the nearest, y: the farthest, z: the pixel's own surface
 #endif
 #elif defined(OF_BOLT)
 #include "frame.glsl"
@@ -50,6 +59,15 @@ vec2 visiblePart(vec3 ray, float unit) {
     vec2 visible = vec2(0.0, NEVER);
 #ifdef OF_BOLT
     visible.y = unit;
+#elif defined(BEFORE_SURFACES)
+    ivec2 pixelPlace = ivec2(gl_FragCoord.xy);
+    if (cut.z > 0.0) {
+        visible.y = axisMetres(texelFetch(viewDepth, pixelPlace, 0).r) * unit;
+    } else {
+        vec2 cuts = texelFetch(surfaceCuts, min(pixelPlace, textureSize(surfaceCuts, 0) - 1), 0).rg;
+        // Where there is one cut, the farthest is drawn alone.
+        visible.y = cut.x > 0.0 && cuts.x == cuts.y ? 0.0 : dot(cut.xy, cuts) * unit;
+    }
 #elif !defined(WHOLE) && !defined(BAKED)
     float windowDepth = texelFetch(viewDepth, ivec2(gl_FragCoord.xy), 0).r;
     if (windowDepth < 1.0) {
@@ -71,7 +89,7 @@ float stepOffset(vec2 pixelPlace) {
     return fract(52.9829189 * fract(dot(pixelPlace, vec2(0.06711056, 0.00583715))));
 }
 
-#if defined(WHOLE) && !defined(BY_FLASH) && !defined(CAPTURED)
+#if defined(PLACED) && !defined(CAPTURED)
 // The wind's motion along the view's right and upper axes; what it has along the ray cannot be seen and takes the rest.
 vec2 motionAcross(vec3 ray) {
     vec3 across = blown - ray * (dot(blown, viewForward.xyz) / dot(ray, viewForward.xyz));
@@ -137,10 +155,15 @@ void writeCloud(CloudPixel at, vec3 radiance, float covered, float metres) {
 #endif
 #if defined(BY_FLASH) || defined(OF_BOLT)
     pixel = vec4(min(radiance, 65504.0), covered);
+#elif defined(BEFORE_SURFACES)
+    pixel = vec4(min(radiance, 65504.0), covered);
+    if (cut.z > 0.0) {
+        writeCovering(pixel);
+    }
 #elif defined(BAKED)
     pixel = vec4(min(radiance, 65504.0), covered);
     place = covered * vec4(0.001 * metres, 0.0, 0.0, 1.0);
-#elif defined(WHOLE)
+#elif defined(PLACED)
     pixel = vec4(min(radiance, 65504.0), covered);
     place = vec4(covered * vec3(0.001 * metres, motionAcross(at.ray)), covered);
 #else

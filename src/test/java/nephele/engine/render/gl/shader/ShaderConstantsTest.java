@@ -76,7 +76,8 @@ class ShaderConstantsTest {
         + " impostor-texels.glsl/STEPS cloud-sheet.glsl/SHEET_STEPS cloud-sheet.glsl/FARTHEST_SHEET"
         + " cloud-sheet.glsl/MESH_DIVISIONS cloud-sheet.glsl/MESH_CURVE cloud-span.glsl/NEVER"
         + " puff-beam.glsl/BEAM_STEPS exit-curtain.glsl/VEIL exit-curtain.glsl/VEIL_COLOUR gun.vert/DEPTH_SHARE"
-        + " gun.vert/FILL gun.vert/LIGHT_SHARE gun.vert/OUTLINE")
+        + " gun.vert/FILL gun.vert/LIGHT_SHARE gun.vert/OUTLINE cuts.frag/THIN cuts.frag/STEEP cuts.frag/WITHIN_BLOCK"
+        + " cuts.frag/ASYMMETRY over.frag/NEAR over.frag/FAINT")
             .split(" "));
 
     /** Java constants that are something else than the shader's constant of their name and value. */

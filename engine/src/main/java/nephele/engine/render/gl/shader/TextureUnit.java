@@ -56,6 +56,11 @@ public enum TextureUnit {
     SPREAD_FRESH(0, "fresh"),
     SPREAD_PLACES(1, "freshPlaces"),
     SPREAD_BEFORE(2, "before"),
+    /** What shaders of {@code surface} read: clouds in front of the nearest and farthest surfaces of blocks of pixels. */
+    SURFACE_ENDS(0, "surfaceEnds"),
+    BEFORE_NEAREST(0, "beforeNearest"),
+    BEFORE_FARTHEST(1, "beforeFarthest"),
+    SURFACE_CUTS(11, "surfaceCuts"),
     SUN_SHADOW(2, "sunShadowMap"),
     LIGHT_SHADOW(3, "lightShadowMaps"),
     SKY_VISIBILITY(4, "skyVisibilityMap", "terrainSky"),

@@ -92,6 +92,7 @@ public final class CloudCanvas {
             uniforms.capturedPlane().set(grid.planeMetres);
             uniforms.blown().set(cloud.blown(grid.secondsBefore));
         }
+        uniforms.cut().set(is(CloudPixels.BEFORE_NEAREST), is(CloudPixels.BEFORE_FARTHEST), is(CloudPixels.BEFORE_OWN));
         uniforms.cloudFraction().set(cloud.fractionDrawn());
         if (pixels == CloudPixels.BOLT) {
             uniforms.boltFromEye().set(boltFromEye());
@@ -103,6 +104,10 @@ public final class CloudCanvas {
             }
             uniforms.flashIntensity().set(lightning.radiantIntensity());
         }
+    }
+
+    private double is(CloudPixels which) {
+        return pixels == which ? 1 : 0;
     }
 
     private Vec3 boltFromEye() {

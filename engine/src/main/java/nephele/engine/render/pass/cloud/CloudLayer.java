@@ -64,11 +64,6 @@ final class CloudLayer implements GlObject {
     /** Draws it over surfaces behind all clouds. */
     private GlProgram<CloudRanges.Places> compositeMixed;
 
-    /** Writes the stencil where a surface is behind the beginning of one cloud. */
-    private GlProgram<CloudRanges.Places> marking;
-
-    private GlProgram<Uniforms.None> unmarking;
-
     private View before;
     private double seconds;
     private double secondsBefore;
@@ -228,7 +223,7 @@ final class CloudLayer implements GlObject {
     /** Draws the layer over the pixels of the bound view without a surface. */
     void draw(Blend blend, FullScreenTriangle triangle) {
         if (composite == null) {
-            composite = program("composite.frag", defines(clouds), Uniforms.None.class);
+            composite = program("composite.frag", defines(), Uniforms.None.class);
         }
         gl.state().set(Depth.LESS_OR_EQUAL, blend, Cull.NONE);
         composite.use();
@@ -236,13 +231,10 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
-    /**
-     * Draws the layer over the surfaces behind all clouds. Those among the clouds stay as they are, but pass the stencil
-     * test too.
-     */
+    /** Draws the layer over the surfaces behind all clouds; those among the clouds stay as they are. */
     void drawOverSurfaces(Blend blend, CloudRanges ranges, View view, FullScreenTriangle triangle) {
         if (compositeMixed == null) {
-            compositeMixed = program("composite.frag", defines(clouds).with("MIXED"), CloudRanges.Places.class);
+            compositeMixed = program("composite.frag", defines().with("MIXED"), CloudRanges.Places.class);
         }
         gl.state().set(Depth.GREATER, blend, Cull.NONE);
         compositeMixed.use();
@@ -251,28 +243,7 @@ final class CloudLayer implements GlObject {
         triangle.draw();
     }
 
-    /** Changes the stencil, as it is set to, where a surface is behind the beginning of a cloud. */
-    void mark(CloudRanges ranges, PlacedCloud cloud, View view, FullScreenTriangle triangle) {
-        if (marking == null) {
-            marking = program("composite.frag", defines(1).with("MIXED"), CloudRanges.Places.class);
-        }
-        gl.state().set(Depth.GREATER_ONLY_STENCIL, Blend.REPLACE, Cull.NONE);
-        marking.use();
-        ranges.put(marking.uniforms(), cloud, view);
-        triangle.draw();
-    }
-
-    /** Changes the stencil, as it is set to, of all surfaces. */
-    void unmark(FullScreenTriangle triangle) {
-        if (unmarking == null) {
-            unmarking = program("nothing.frag", defines(1), Uniforms.None.class);
-        }
-        gl.state().set(Depth.GREATER_ONLY_STENCIL, Blend.REPLACE, Cull.NONE);
-        unmarking.use();
-        triangle.draw();
-    }
-
-    private Defines defines(int clouds) {
+    private Defines defines() {
         return Defines.of(context).with("FARTHEST").with("CLOUDS", clouds).with("DIVISOR", (double) divisor);
     }
 

@@ -38,13 +38,14 @@ import nephele.engine.scene.View;
 
 /**
  * Draws clouds, each by its technique, the farthest first. At less than full resolution they are drawn into a layer as if
- * there were no surfaces, which is drawn where surfaces are behind all clouds; pixels whose surface is among the clouds are
- * drawn on their own, so that no edge of a wall has a halo.
+ * there were no surfaces, which is drawn where there is none, and into one of {@link SurfaceClouds} for the other pixels.
  *
  * <p>While techniques change, a cloud has a drawing by each of them, the later ones over the earlier ones; those of
  * techniques that are gone are closed.
  */
 public final class CloudPass implements Pass {
+    private static final List<CloudPixels> CUTS = List.of(CloudPixels.BEFORE_NEAREST, CloudPixels.BEFORE_FARTHEST);
+
     private final GlContext gl;
     private final RendererClouds levelClouds;
     private final LoadContext context;
@@ -72,6 +73,9 @@ public final class CloudPass implements Pass {
 
     /** The layer of all views but the main one. */
     private final CloudLayer nestedLayer;
+
+    /** Clouds in front of surfaces; {@code null} if clouds are drawn directly. */
+    private final SurfaceClouds beforeSurfaces;
 
     /** {@code null} without lightning. */
     private final CloudFlash flash;
@@ -136,6 +140,7 @@ public final class CloudPass implements Pass {
         boolean isLayered = !clouds.isEmpty() && (divisor > 1 || side > 1);
         mainLayer = isLayered ? context.own(new CloudLayer(context, divisor, side, ranges.count())) : null;
         nestedLayer = isLayered ? context.own(new CloudLayer(context, divisor, 1, ranges.count())) : null;
+        beforeSurfaces = isLayered ? context.own(new SurfaceClouds(context, 2 * divisor)) : null;
         flash = lightning == null ? null : new CloudFlash(context, divisor, ranges.count());
         addDrawings(new CloudContext(context, impostors));
     }
@@ -294,7 +299,7 @@ public final class CloudPass implements Pass {
         }
         if (mainLayer == null) {
             frame.surface().bind();
-            draw(CloudPixels.ALL, view, null);
+            draw(CloudPixels.ALL, view, null, Double.POSITIVE_INFINITY);
         } else {
             drawLayered(frame, now, mixed);
         }
@@ -335,61 +340,64 @@ public final class CloudPass implements Pass {
         View view = frame.view();
         CloudLayer layer = isMain(frame) ? mainLayer : nestedLayer;
         layer.begin(frame.surface(), levelClouds.cuts(), now.seconds());
-        draw(CloudPixels.WHOLE, view, layer);
+        draw(CloudPixels.WHOLE, view, layer.grid(), Double.POSITIVE_INFINITY);
         layer.end(view, nearest(view.eye()), triangle);
         frame.surface().bind();
-        layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
         if (mixed) {
-            drawOverSurfaces(frame, layer);
+            drawMixed(frame, layer);
+        } else {
+            layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
         }
     }
 
     /**
-     * Draws the clouds in front of surfaces that are behind all of them or among them. The stencil counts the pixels of
-     * the latter, and on top of it those where the cloud that is drawn begins before the surface.
+     * Draws the layer, the clouds in front of surfaces, and on their own those of pixels that get neither. The stencil
+     * counts the others meanwhile.
      */
-    private void drawOverSurfaces(FrameContext frame, CloudLayer layer) {
+    private void drawMixed(FrameContext frame, CloudLayer layer) {
         View view = frame.view();
         DrawState state = gl.state();
+        double farthest = farthestSurface(view.eye());
+        beforeSurfaces.begin(frame.surface(), triangle);
+        for (CloudPixels cut : CUTS) {
+            beforeSurfaces.begin(cut);
+            draw(cut, view, beforeSurfaces.grid(cut), farthest);
+        }
+        beforeSurfaces.end(triangle);
+        frame.surface().bind();
         int depth = frame.nested() == null ? 0 : frame.nested().openingsCounted(frame.node());
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
-        layer.drawOverSurfaces(Blend.PREMULTIPLIED_OVER, ranges, view, triangle);
-        double farthest = farthestSurface(view.eye());
-        canvas.begin(CloudPixels.ALL, view, levelClouds.current().focus(), null);
-        for (int i = 0; i < entries.size(); i++) {
-            PlacedCloud cloud = entries.get(i).cloud;
-            if (entries.get(i).isDrawn() && cloud.distance(view.eye()) < farthest) {
-                state.stencil(Stencil.EQUAL_COUNT_UP, depth + 1);
-                layer.mark(ranges, cloud, view, triangle);
-                state.stencil(Stencil.EQUAL, depth + 2);
-                state.set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
-                entries.get(i).drawing.draw(canvas);
-                state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 2);
-                layer.unmark(triangle);
-            }
-        }
+        layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
+        beforeSurfaces.drawOver(triangle);
+        state.stencil(Stencil.EQUAL, depth);
+        draw(CloudPixels.BEFORE_OWN, view, beforeSurfaces.grid(CloudPixels.BEFORE_OWN), farthest);
         state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
-        layer.unmark(triangle);
+        beforeSurfaces.unmark(triangle);
         state.stencil(depth == 0 ? Stencil.OFF : Stencil.EQUAL, depth);
     }
 
     private void drawFlash(FrameContext frame, CloudInterval now, boolean mixed) {
         View view = frame.view();
         flash.beginBolt();
-        draw(CloudPixels.BOLT, view, null);
+        draw(CloudPixels.BOLT, view, null, Double.POSITIVE_INFINITY);
         flash.endBolt();
         flash.layer().begin(frame.surface(), levelClouds.cuts(), now.seconds());
-        draw(CloudPixels.FLASH, view, flash.layer());
+        draw(CloudPixels.FLASH, view, flash.layer().grid(), Double.POSITIVE_INFINITY);
         flash.layer().end(view, nearest(view.eye()), triangle);
         flash.add(frame, mixed ? ranges : null, triangle);
     }
 
-    /** @param layer into which is drawn; {@code null} for the view itself */
-    private void draw(CloudPixels pixels, View view, CloudLayer layer) {
-        canvas.begin(pixels, view, levelClouds.current().focus(), layer == null ? null : layer.grid());
+    /**
+     * Draws the clouds that begin nearer than {@code farthest}, metres.
+     *
+     * @param grid of a layer; {@code null} for the view itself
+     */
+    private void draw(CloudPixels pixels, View view, CloudCanvas.Grid grid, double farthest) {
+        canvas.begin(pixels, view, levelClouds.current().focus(), grid);
         for (int i = 0; i < entries.size(); i++) {
-            CloudDrawing drawing = entries.get(i).drawing(pixels);
-            if (drawing != null && entries.get(i).isDrawn()) {
+            Entry entry = entries.get(i);
+            CloudDrawing drawing = entry.drawing(pixels);
+            if (drawing != null && entry.isDrawn() && entry.cloud.distance(view.eye()) < farthest) {
                 gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
                 drawing.draw(canvas);
             }

@@ -57,6 +57,7 @@ public final class CloudPrograms<U extends Record> {
     private GlProgram<U> compile(CloudPixels pixels) {
         Defines defines = Defines.of(context.load())
                 .withIf(pixels.isGrid(), "WHOLE")
+                .withIf(pixels.isBeforeSurfaces(), "BEFORE_SURFACES")
                 .withIf(pixels == CloudPixels.CAPTURED, "CAPTURED")
                 .withIf(pixels == CloudPixels.FLASH, "BY_FLASH")
                 .withIf(pixels == CloudPixels.BOLT, "OF_BOLT")
@@ -78,6 +79,7 @@ public final class CloudPrograms<U extends Record> {
             @IfRead Vector3 marchedSquare,
             @IfRead Vector3 blown,
             @IfRead Scalar capturedPlane,
+            @IfRead Vector3 cut,
             @IfRead Scalar cloudFraction,
             @IfRead Vector3 boltFromEye,
             @IfRead List<Vector4> flashLights,

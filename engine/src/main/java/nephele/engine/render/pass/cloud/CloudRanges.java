@@ -53,12 +53,6 @@ final class CloudRanges {
         places.rangePlanet.set(halfCurvature, view.eyeY());
     }
 
-    /** Sets the bounds of one cloud, for a program that knows one. */
-    void put(Places places, PlacedCloud cloud, View view) {
-        put(places, 0, cloud.bounds(), view);
-        places.rangePlanet.set(halfCurvature, view.eyeY());
-    }
-
     private static void put(Places places, int index, Aabb box, View view) {
         boolean isLayer = box.maxX() == Double.POSITIVE_INFINITY;
         double middleX = isLayer ? 0 : (box.minX() + box.maxX()) / 2 - view.eyeX();

@@ -18,12 +18,14 @@ import nephele.engine.level.appearance.Daylight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.AmbientLight;
+import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.lwjgl.system.MemoryUtil;
@@ -38,7 +40,10 @@ public final class LitCloud {
     private final Texture density;
     private final Texture smallAngles;
     private Texture light;
+    /** {@code null} if the cloud never changes. */
     private Texture lightToCome;
+
+    private final boolean isSteady;
     /** The cells whose light {@link #light} holds. */
     private CellStack lightOf;
 
@@ -63,7 +68,9 @@ public final class LitCloud {
         density = volume(context, "cloud density", PixelFormat.RGBA8, cells, cloud.levels());
         CellBox lit = cells.coarser(context.quality().cloudLightCell());
         light = volume(context, "cloud light", PixelFormat.RGBA16F, lit, cloud.levels());
-        lightToCome = volume(context, "cloud light to come", PixelFormat.RGBA16F, lit, cloud.levels());
+        isSteady = context.get(RendererClouds.RESOURCE).current().isSteady();
+        lightToCome =
+                isSteady ? null : volume(context, "cloud light to come", PixelFormat.RGBA16F, lit, cloud.levels());
         smallAngles = context.own(new Texture(
                 context.gl(),
                 "small-angle scattering",
@@ -85,6 +92,11 @@ public final class LitCloud {
                 format,
                 new Texture.Extent(cells.nx(), cells.ny() * boxes, cells.nz()),
                 Sampling.LINEAR_CLAMP));
+    }
+
+    /** Returns definitions of {@code cloud-light.glsl} and {@code cell-boxes.glsl} besides those of a technique. */
+    public Defines define(Defines others) {
+        return others.withIf(isSteady, "STEADY").withIf(cloud.levels() == 1, "ONE_BOX");
     }
 
     /** Takes its cells and the light around it at the time of the frame. */
@@ -189,7 +201,9 @@ public final class LitCloud {
     public void put(CloudPrograms.Shared uniforms, View view, Vec3 focus) {
         density.bind(TextureUnit.CLOUD_DENSITY);
         light.bind(TextureUnit.CLOUD_LIGHT);
-        lightToCome.bind(TextureUnit.CLOUD_LIGHT_TO_COME);
+        if (!isSteady) {
+            lightToCome.bind(TextureUnit.CLOUD_LIGHT_TO_COME);
+        }
         smallAngles.bind(TextureUnit.SMALL_ANGLES);
         put(uniforms.nested(), view.eye().minus(placed.drift()), focus.minus(view.eye()));
         CloudLight physics = cloud.physics();

@@ -46,13 +46,13 @@ public final class PuffCloud implements CloudDrawing {
             CloudContext context, PlacedCloud placed, String shaders, PuffLight light, UnaryOperator<Defines> choices) {
         this.placed = placed;
         beam = light.beam(placed.source().physics().optics());
+        cells = new LitCloud(context.load(), placed);
         programs = new CloudPrograms<>(
                 context,
                 shaders + ".vert",
                 shaders + ".frag",
-                defines -> choices.apply(defines.with("QUADS").withIf(beam != null, "BEAM")),
+                defines -> choices.apply(cells.define(defines).with("QUADS").withIf(beam != null, "BEAM")),
                 PuffUniforms.class);
-        cells = new LitCloud(context.load(), placed);
         quads = context.load().own(new PuffQuads(context.load().gl()));
         impostors = context.impostors();
         impostor = impostors == null ? null : impostors.add(context, this);

@@ -78,7 +78,7 @@ public final class ProceduralTechnique implements CloudDrawing {
                 context,
                 "cloud.vert",
                 "procedural/procedural.frag",
-                defines -> defines.withIf(isOctaves, "OCTAVES").withIf(isSmooth, "SMOOTH"),
+                defines -> lit.define(defines).withIf(isOctaves, "OCTAVES").withIf(isSmooth, "SMOOTH"),
                 SheetUniforms.class);
     }
 

@@ -50,7 +50,7 @@ public final class SkyplaneTechnique implements CloudDrawing {
                 context,
                 "cloud.vert",
                 "skyplane/skyplane.frag",
-                defines -> defines.withIf(isOctaves, "OCTAVES").with(shape),
+                defines -> lit.define(defines).withIf(isOctaves, "OCTAVES").with(shape),
                 SheetUniforms.class);
         CellBox cells = placed.source().narrowest();
         columns = context.load()

@@ -68,7 +68,8 @@ public final class VolumeTechnique implements CloudDrawing {
                 context,
                 "cloud.vert",
                 "volume/volume.frag",
-                defines -> defines.withIf(cloud.isProfiled(), "NOISE")
+                defines -> lit.define(defines)
+                        .withIf(cloud.isProfiled(), "NOISE")
                         .withIf(cloud.isProfiled() && cloud.evolves(), "EVOLVING")
                         .withIf(isOctaves, "OCTAVES"),
                 MarchUniforms.class);

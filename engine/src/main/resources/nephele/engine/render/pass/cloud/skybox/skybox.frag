@@ -12,7 +12,7 @@ uniform vec4 skyWind[2]; // xyz: how far the wind has carried the cloud since it
 uniform vec3 skyLayer; // x: height of a layer's middle over the bake point; yz: planet of spanInside
 uniform float fade; // weight of the faces, the rest is of those before
 
-#ifdef WHOLE
+#ifdef PLACED
 const float ENDLESS_KILOMETRES = 10000.0; // at which wind and steps of the eye are nothing: the layer before is looked up by direction
 #endif
 
@@ -62,7 +62,7 @@ void main() {
         discard;
     }
     writeCloud(at, cloud.light.rgb, covered, metres);
-#ifdef WHOLE
+#ifdef PLACED
     place.r = covered * ENDLESS_KILOMETRES;
 #endif
 }
