@@ -75,7 +75,7 @@ class TradeGlTest {
     @Test
     void judgesEdgesByManySamples() throws IOException {
         Path level = Files.writeString(folder.resolve("two-doors.json"), TWO_DOORS);
-        var run = measured("edgeFilter", "64x36", level, folder);
+        var run = measured("antialiasing", "64x36", level, folder);
         assertEquals("", run.exitCode() == 0 ? "" : run.err());
         var rows = Files.readAllLines(folder.resolve("trade.csv")).stream()
                 .map(line -> line.split(","))

@@ -125,7 +125,7 @@ class BakedLightGlTest {
         Level level = wall().level();
         BakedLight light = light(level, TestAssets.NONE, SkyLight.LIVE, LINEAR);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            float[] picture = picture(offscreen, level, light, Quality.HIGH);
+            float[] picture = picture(offscreen, level, light, Quality.HIGH.inOneFrame());
             forEachPixel(
                     offscreen,
                     0,
@@ -143,12 +143,19 @@ class BakedLightGlTest {
             BakedLight live = light(skylit, TestAssets.NONE, SkyLight.LIVE, EVEN);
             BakedLight baked = light(skylit, TestAssets.NONE, SkyLight.BAKED, EVEN);
             Vec3 both = TestLevel.grey(ALBEDO * 0.75);
-            assertRadiance(both, picture(offscreen, skylit, live, Quality.HIGH), 300, ROUNDING);
+            assertRadiance(both, picture(offscreen, skylit, live, Quality.HIGH.inOneFrame()), 300, ROUNDING);
             assertRadiance(
-                    TestLevel.grey(ALBEDO * 0.5), picture(offscreen, skylit, baked, Quality.HIGH), 300, ROUNDING);
+                    TestLevel.grey(ALBEDO * 0.5),
+                    picture(offscreen, skylit, baked, Quality.HIGH.inOneFrame()),
+                    300,
+                    ROUNDING);
             assertRadiance(
                     both,
-                    picture(offscreen, constant, light(constant, TestAssets.NONE, SkyLight.BAKED, EVEN), Quality.HIGH),
+                    picture(
+                            offscreen,
+                            constant,
+                            light(constant, TestAssets.NONE, SkyLight.BAKED, EVEN),
+                            Quality.HIGH.inOneFrame()),
                     300,
                     ROUNDING);
         }
@@ -160,14 +167,14 @@ class BakedLightGlTest {
         Level level = wall(new Material("wall", TestLevel.grey(ALBEDO), null, 0.5, 1.0, null, Vec3.ZERO, 1))
                 .level();
         StaticShapes statics = PlacedLevel.of(level, TestAssets.NONE).statics();
-        Quality off = Quality.HIGH.with("lightDirections", LightDirections.OFF);
+        Quality off = Quality.HIGH.inOneFrame().with("lightDirections", LightDirections.OFF);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             for (double length : new double[] {0.5, 0.9}) {
                 BakedLight light = new FormulaLight(statics)
                         .layer("", Course.INDIRECT, EVEN, OUT.scaled(length))
                         .baked(SkyLight.BAKED);
                 float[] plain = picture(offscreen, level, light, off);
-                float[] directed = picture(offscreen, level, light, Quality.HIGH);
+                float[] directed = picture(offscreen, level, light, Quality.HIGH.inOneFrame());
                 double corner = directed[0] / plain[0];
                 assertEquals(length == 0.5 ? 1 : 0.7, corner, length == 0.5 ? 0.01 : 0.2, "length " + length);
             }
@@ -188,7 +195,7 @@ class BakedLightGlTest {
         BakedLight light = new FormulaLight(placed.statics())
                 .layer("", Course.INDIRECT, EVEN, d)
                 .baked(SkyLight.BAKED);
-        Quality off = Quality.HIGH.with("lightDirections", LightDirections.OFF);
+        Quality off = Quality.HIGH.inOneFrame().with("lightDirections", LightDirections.OFF);
         Vector3d tilted = FaceTexture.mappedNormal(
                 new Vector3d(0xd0 / 255.0, 0x80 / 255.0, 0xe0 / 255.0),
                 OUT.toVector(),
@@ -197,7 +204,7 @@ class BakedLightGlTest {
         double ratio = PackedLight.relativeIrradiance(d, Vec3.of(tilted)) / PackedLight.relativeIrradiance(d, OUT);
         assertTrue(ratio > 1.2, "ratio " + ratio);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            float[] directed = pictures(offscreen, placed, light, Quality.HIGH, List.of(Map.of()))
+            float[] directed = pictures(offscreen, placed, light, Quality.HIGH.inOneFrame(), List.of(Map.of()))
                     .get(0);
             float[] plain =
                     pictures(offscreen, placed, light, off, List.of(Map.of())).get(0);
@@ -225,7 +232,7 @@ class BakedLightGlTest {
                     offscreen,
                     placed,
                     light,
-                    Quality.HIGH,
+                    Quality.HIGH.inOneFrame(),
                     List.of(Map.of(), Map.of("lamps", 0.0), Map.of("lamps", 0.5), Map.of()));
             for (int i = 0; i < 3 * SIZE * SIZE; i++) {
                 float without = drawn.get(1)[i];
@@ -246,11 +253,15 @@ class BakedLightGlTest {
                 PlacedLevel.of(wall().light(lamp.dimmed(0.25)).light(other).level(), TestAssets.NONE);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             List<float[]> gained = pictures(
-                    offscreen, placed, null, Quality.HIGH, List.of(Map.of("lamps", 0.25), Map.of("lamps", 1.0)));
+                    offscreen,
+                    placed,
+                    null,
+                    Quality.HIGH.inOneFrame(),
+                    List.of(Map.of("lamps", 0.25), Map.of("lamps", 1.0)));
             List<float[]> written = List.of(
-                    pictures(offscreen, dimmed, null, Quality.HIGH, List.of(Map.of()))
+                    pictures(offscreen, dimmed, null, Quality.HIGH.inOneFrame(), List.of(Map.of()))
                             .get(0),
-                    pictures(offscreen, placed, null, Quality.HIGH, List.of(Map.of()))
+                    pictures(offscreen, placed, null, Quality.HIGH.inOneFrame(), List.of(Map.of()))
                             .get(0));
             for (int i = 0; i < 2; i++) {
                 assertArrayEquals(written.get(i), gained.get(i));
@@ -269,7 +280,7 @@ class BakedLightGlTest {
                 .level();
         BakedLight light = light(level, TestAssets.NONE, SkyLight.BAKED, LINEAR);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            float[] picture = picture(offscreen, level, light, Quality.HIGH);
+            float[] picture = picture(offscreen, level, light, Quality.HIGH.inOneFrame());
             forEachPixel(
                     offscreen,
                     0.5,
@@ -293,7 +304,7 @@ class BakedLightGlTest {
                     new Projection(Math.PI / 2, 1, 0.05, 1000));
             Scene scene = Scene.of(PlacedLevel.of(level, assets), light(level, assets, SkyLight.BAKED, light));
             try (Renderer renderer =
-                    LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, Quality.HIGH))) {
+                    LevelRenderer.load(offscreen.gl, scene, RenderSettings.of(Output.HDR, Quality.HIGH.inOneFrame()))) {
                 renderer.draw(view, offscreen.picture);
                 float[] picture = renderer.readRadiance();
                 for (int i = 0; i < SIZE * SIZE; i++) {
@@ -316,7 +327,7 @@ class BakedLightGlTest {
         BakedLight other = new BakedLight(
                 light.visibility(),
                 light(level, TestAssets.NONE, SkyLight.BAKED, EVEN).indirect());
-        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH);
+        RenderSettings settings = RenderSettings.of(Output.HDR, Quality.HIGH.inOneFrame());
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             Renderer renderer = LevelRenderer.load(offscreen.gl, Scene.of(placed, light), settings);
             PlacedLevel edited = placed.edited(moved);
@@ -349,7 +360,7 @@ class BakedLightGlTest {
         BakedLight dark = new BakedLight(SkyVisibility.even(light.statics(), false), light.indirect());
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             Renderer renderer = LevelRenderer.load(
-                    offscreen.gl, Scene.of(placed, dark), RenderSettings.of(Output.HDR, Quality.HIGH));
+                    offscreen.gl, Scene.of(placed, dark), RenderSettings.of(Output.HDR, Quality.HIGH.inOneFrame()));
             PlacedLevel edited = placed.edited(level.with(level.materials(), more));
             renderer = LevelRenderer.edited(renderer, renderer.scene().edited(edited, null));
             renderer.draw(view(offscreen), offscreen.picture);
@@ -371,10 +382,13 @@ class BakedLightGlTest {
         Level calm = skylit.level();
         Level stormy = skylit.lightning(rare).level();
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
-            float[] without =
-                    picture(offscreen, calm, light(calm, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
-            float[] with =
-                    picture(offscreen, stormy, light(stormy, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH);
+            float[] without = picture(
+                    offscreen, calm, light(calm, TestAssets.NONE, SkyLight.BAKED, LINEAR), Quality.HIGH.inOneFrame());
+            float[] with = picture(
+                    offscreen,
+                    stormy,
+                    light(stormy, TestAssets.NONE, SkyLight.BAKED, LINEAR),
+                    Quality.HIGH.inOneFrame());
             assertArrayEquals(without, with, 1e-6f);
         }
     }
@@ -391,17 +405,17 @@ class BakedLightGlTest {
                 .layer("", Course.INDIRECT, p -> TestLevel.grey(0.125), OUT)
                 .layer("", Course.DIRECT, EVEN, OUT)
                 .baked(SkyLight.BAKED);
-        Quality baked = Quality.HIGH.with("directLight", DirectLight.BAKED);
+        Quality baked = Quality.HIGH.inOneFrame().with("directLight", DirectLight.BAKED);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             assertRadiance(TestLevel.grey(ALBEDO * 0.625), picture(offscreen, level, light, baked), 300, ROUNDING);
-            float[] live = picture(offscreen, level, null, Quality.HIGH);
+            float[] live = picture(offscreen, level, null, Quality.HIGH.inOneFrame());
             Vec3 sum = new Vec3(live[900], live[901], live[902]).plus(TestLevel.grey(ALBEDO * 0.125));
-            assertRadiance(sum, picture(offscreen, level, light, Quality.HIGH), 300, ROUNDING);
+            assertRadiance(sum, picture(offscreen, level, light, Quality.HIGH.inOneFrame()), 300, ROUNDING);
         }
-        assertTrue(plan(placed, light, Quality.HIGH).containsAll(List.of("shadow.sun", "baked-light")));
+        assertTrue(plan(placed, light, Quality.HIGH.inOneFrame()).containsAll(List.of("shadow.sun", "baked-light")));
         assertEquals(List.of("baked-light", "solid", "tonemap"), plan(placed, light, baked));
         assertFalse(plan(placed, null, baked).contains("baked-light"));
-        assertEquals(plan(placed, null, Quality.HIGH), plan(placed, null, baked));
+        assertEquals(plan(placed, null, Quality.HIGH.inOneFrame()), plan(placed, null, baked));
     }
 
     /** A mirror-like floor under a baked lamp shows what is around it, not the lamp's light as if it came from everywhere. */
@@ -420,7 +434,7 @@ class BakedLightGlTest {
                 .layer("", Course.INDIRECT, p -> TestLevel.grey(0.25), Vec3.ZERO)
                 .layer("", Course.DIRECT, p -> TestLevel.grey(8), Vec3.ZERO)
                 .baked(SkyLight.BAKED);
-        Quality baked = Quality.HIGH.with("directLight", DirectLight.BAKED);
+        Quality baked = Quality.HIGH.inOneFrame().with("directLight", DirectLight.BAKED);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             for (LightDirections directions : LightDirections.values()) {
                 float[] picture = picture(offscreen, level, light, baked.with("lightDirections", directions));

@@ -11,7 +11,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.Quality.Antialiasing;
 import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.pass.edge.LineArea;
 import nephele.engine.scene.Projection;
@@ -44,8 +44,8 @@ class EdgeFilterGlTest {
                 new Projection(Math.PI / 2, 1, 0.05, 1000));
     }
 
-    private static RenderSettings settings(EdgeFilter filter) {
-        return RenderSettings.of(Output.PLAIN, Quality.HIGH.with("edgeFilter", filter));
+    private static RenderSettings settings(Antialiasing filter) {
+        return RenderSettings.of(Output.PLAIN, Quality.HIGH.inOneFrame().with("antialiasing", filter));
     }
 
     private static double linear(int pixel) {
@@ -64,7 +64,7 @@ class EdgeFilterGlTest {
         int side = SIZE * TIMES;
         double[] mean = new double[SIZE * SIZE];
         try (var offscreen = new Offscreen(side, side)) {
-            int[] many = offscreen.pixels(square(), TestAssets.NONE, view, settings(EdgeFilter.NONE));
+            int[] many = offscreen.pixels(square(), TestAssets.NONE, view, settings(Antialiasing.NONE));
             for (int i = 0; i < many.length; i++) {
                 mean[i / side / TIMES * SIZE + i % side / TIMES] += linear(many[i]) / (TIMES * TIMES);
             }
@@ -79,9 +79,9 @@ class EdgeFilterGlTest {
         View view = turned(degrees);
         double[] exact = exact(view);
         try (var offscreen = new Offscreen(SIZE, SIZE)) {
-            double without = rms(offscreen.pixels(square(), TestAssets.NONE, view, settings(EdgeFilter.NONE)), exact);
+            double without = rms(offscreen.pixels(square(), TestAssets.NONE, view, settings(Antialiasing.NONE)), exact);
             double with =
-                    rms(offscreen.pixels(square(), TestAssets.NONE, view, settings(EdgeFilter.MORPHOLOGICAL)), exact);
+                    rms(offscreen.pixels(square(), TestAssets.NONE, view, settings(Antialiasing.MORPHOLOGICAL)), exact);
             assertTrue(with <= most * without, with + " of " + without);
         }
     }
@@ -109,8 +109,8 @@ class EdgeFilterGlTest {
     void straightEdgesStayAsTheyAre() {
         try (var offscreen = new Offscreen(SIZE, SIZE)) {
             assertArrayEquals(
-                    offscreen.pixels(square(), TestAssets.NONE, turned(0), settings(EdgeFilter.NONE)),
-                    offscreen.pixels(square(), TestAssets.NONE, turned(0), settings(EdgeFilter.MORPHOLOGICAL)));
+                    offscreen.pixels(square(), TestAssets.NONE, turned(0), settings(Antialiasing.NONE)),
+                    offscreen.pixels(square(), TestAssets.NONE, turned(0), settings(Antialiasing.MORPHOLOGICAL)));
         }
     }
 
@@ -120,7 +120,7 @@ class EdgeFilterGlTest {
     void everySizeIsDrawnTheSameAgain(int size) {
         try (var offscreen = new Offscreen(size, size);
                 var renderer = LevelRenderer.load(
-                        offscreen.gl, square(), TestAssets.NONE, settings(EdgeFilter.MORPHOLOGICAL))) {
+                        offscreen.gl, square(), TestAssets.NONE, settings(Antialiasing.MORPHOLOGICAL))) {
             renderer.draw(turned(20), offscreen.picture);
             int[] first = offscreen.pixels();
             assertTrue(Offscreen.red(first[size / 2 * size + size / 2]) > 40);

@@ -42,7 +42,7 @@ class PortalFreeGlTest {
 
     /** Returns the settings of players: multisampling, rims. */
     private static RenderSettings settings(Output output) {
-        return RenderSettings.of(output, Quality.HIGH.with("samples", 4));
+        return RenderSettings.of(output, Quality.HIGH.inOneFrame().with("samples", 4));
     }
 
     private static List<String> words(Level level, List<RenderFeature> features, Output output) {
@@ -103,7 +103,8 @@ class PortalFreeGlTest {
                 .portal("b", "a", new Vec3(3, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
                 .level();
         for (int budget = 0; budget < 3; budget++) {
-            RenderSettings history = RenderSettings.of(Output.PLAIN).with(Quality.HIGH.with("viewBudget", budget));
+            RenderSettings history = RenderSettings.of(Output.PLAIN)
+                    .with(Quality.HIGH.inOneFrame().with("viewBudget", budget));
             RenderSettings mark = history.with(RenderSettings.Deepest.MARK);
             assertEquals(wordsLookingAway(level, mark), wordsLookingAway(level, history), "budget " + budget);
         }

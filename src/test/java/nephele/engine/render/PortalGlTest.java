@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Views through portals are the same with every technique and setting, and the same as through a hole. */
 class PortalGlTest {
     private static final Vec3 SHADOW_SUN = new Vec3(1, 1, 0.5);
-    private static final Quality QUALITY = Quality.HIGH.with("viewBudget", 40);
+    private static final Quality QUALITY = Quality.HIGH.inOneFrame().with("viewBudget", 40);
 
     private static RenderSettings settings(Output output) {
         return RenderSettings.of(output, QUALITY).with(Decoration.OFF);

@@ -14,7 +14,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.Quality.Antialiasing;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -39,7 +39,8 @@ class UpscaleGlTest {
 
     private static RenderSettings settings(Output output, double resolution, Upscale filter) {
         return RenderSettings.of(
-                output, Quality.HIGH.with("pictureResolution", resolution).with("upscale", filter));
+                output,
+                Quality.HIGH.inOneFrame().with("pictureResolution", resolution).with("upscale", filter));
     }
 
     @ParameterizedTest
@@ -121,7 +122,7 @@ class UpscaleGlTest {
     /** A level whose picture is one colour is drawn by a clear alone; nothing is scaled or filtered. */
     @Test
     void theEmptyLevelIsOneClearAtEveryQuality() {
-        var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.with("edgeFilter", EdgeFilter.MORPHOLOGICAL));
+        var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.with("antialiasing", Antialiasing.MORPHOLOGICAL));
         try (var offscreen = new Offscreen(8, 8);
                 var renderer = LevelRenderer.load(offscreen.gl, new TestLevel().level(), TestAssets.NONE, settings)) {
             assertEquals(List.of("clear"), renderer.stepNames());

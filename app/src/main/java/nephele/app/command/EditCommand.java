@@ -45,7 +45,7 @@ final class EditCommand implements Command {
     private static final List<String> REPORT_SUBJECTS = List.of(
             "quality",
             "pictureResolution",
-            "edgeFilter",
+            "antialiasing",
             "shadowFilter",
             "lightShadows",
             "portalTechnique",

@@ -106,6 +106,10 @@ final class PictureOptions {
     Renderer renderer(OpenedLevel opened, GlContext gl, QualityChoice choice, Output forced, PrintStream err) {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
+        if (forced != null) {
+            // The radiance that is read is that of the last frame alone.
+            settings = settings.with(settings.quality().inOneFrame());
+        }
         var shown = choice.drawn(opened);
         var light = choice.light(shown, opened.file(), PrintedProgress.ofBake(err), err::println);
         return LevelRenderer.load(gl, Scene.of(shown, light), settings);

@@ -94,10 +94,11 @@ final class RenderCommand implements Command {
     @Option(
             names = "--frames",
             paramLabel = "N",
-            defaultValue = "1",
-            description = "Draw N frames at the same time and save the last (default: 1).")
+            description =
+                    "Draw N frames at the same time and save the last (default: as many as antialiasing averages, or"
+                            + " 1).")
     @OptionRange.Whole(least = 1, most = 10_000)
-    private int frames;
+    private Integer frames;
 
     @Override
     public ExitCode run(Terminal terminal) {
@@ -125,7 +126,8 @@ final class RenderCommand implements Command {
             state.seconds(timeSeconds);
             state.layerGains(gains);
             observe(renderer, state);
-            for (int frame = 0; frame < frames; frame++) {
+            int drawn = frames == null ? renderer.framesToSettle() : frames;
+            for (int frame = 0; frame < drawn; frame++) {
                 renderer.draw(viewpoint.apply(0), state, target);
             }
             gl.requireNoError("render");

@@ -20,7 +20,7 @@ final class SettingsControl {
             Set.of(Settings.ASSISTS, Settings.UPRIGHT, Settings.REDUCED_MOTION);
 
     /** Settings of the picture, for which the level is drawn anew. */
-    private static final Set<GameSetting<?>> REDRAWN = Set.of(Settings.QUALITY, Settings.EDGE_FILTER);
+    private static final Set<GameSetting<?>> REDRAWN = Set.of(Settings.QUALITY, Settings.ANTIALIASING);
 
     private static final Set<GameSetting<?>> OF_WINDOW = Set.of(Settings.WINDOW_MODE, Settings.RESOLUTION);
 

@@ -87,8 +87,7 @@ public final class GameSettings {
 
     /** Returns the quality of pictures. */
     public QualityChoice quality() {
-        Map<String, String> more =
-                get(Settings.EDGE_FILTER) == Switch.ON ? Map.of("edgeFilter", "morphological") : Map.of();
+        Map<String, String> more = get(Settings.ANTIALIASING) == Switch.OFF ? Map.of("antialiasing", "none") : Map.of();
         return new QualityChoice(GameSetting.word(get(Settings.QUALITY)), more);
     }
 

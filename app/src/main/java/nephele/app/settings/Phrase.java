@@ -137,7 +137,7 @@ public enum Phrase {
     SETTING_AUTO_FRAME_RATE("Auto: frames/s", "Auto: quadros/s", "Auto: imagens/s"),
     SETTING_WINDOW_MODE("Window", "Janela", "Janela"),
     SETTING_RESOLUTION("Resolution", "Resolução", "Resolução"),
-    SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
+    SETTING_ANTIALIASING("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
     SETTING_ASSISTS("Help with portals", "Ajuda com portais", "Ajuda com portais"),
@@ -202,10 +202,10 @@ public enum Phrase {
             "Frames a second that auto quality holds: 60 with a graphics card, 30 without.",
             "Quadros por segundo que a automática mantém: 60 com placa de vídeo, 30 sem.",
             "Imagens por segundo que a automática mantém: 60 com placa gráfica, 30 sem."),
-    HELP_EDGE_FILTER(
-            "Smooths stairs along edges. Each frame takes a little longer.",
-            "Suaviza degraus nas bordas. Cada quadro demora um pouco mais.",
-            "Suaviza degraus nas arestas. Cada imagem demora um pouco mais."),
+    HELP_ANTIALIASING(
+            "Smooths stairs along edges at high quality, over several frames.",
+            "Suaviza degraus nas bordas com qualidade alta, ao longo de vários quadros.",
+            "Suaviza degraus nas arestas com qualidade alta, ao longo de várias imagens."),
     HELP_WINDOW_MODE(
             "A window, the whole screen without a frame, or full screen.",
             "Uma janela, a tela toda sem moldura, ou tela cheia.",
@@ -303,6 +303,7 @@ public enum Phrase {
     STEP_DYNAMIC("dynamic", "corpos", "corpos"),
     STEP_DYNAMIC_HELD("dynamic.held", "corpo na mão", "corpo na mão"),
     STEP_EDGE_FILTER("edge-filter", "suavização de bordas", "suavização de arestas"),
+    STEP_TEMPORAL("temporal", "média de quadros", "média de fotogramas"),
     STEP_EXIT("exit", "saída", "saída"),
     STEP_EXIT_VEIL("exit.veil", "véu da saída", "véu da saída"),
     STEP_EXPOSURE("exposure", "exposição", "exposição"),

@@ -105,9 +105,9 @@ public final class Settings {
     public static final GameSetting<Double> FRAME_CAP =
             GameSetting.rate("frameCap", LEAST_RATE, 360, 30).in(Group.WINDOW);
 
-    /** Post-process antialiasing, in addition to the preset's multisampling. */
-    public static final GameSetting<Switch> EDGE_FILTER =
-            GameSetting.word("edgeFilter", Switch.OFF).in(Group.PICTURE);
+    /** Off leaves out the preset's antialiasing, but for its samples. */
+    public static final GameSetting<Switch> ANTIALIASING =
+            GameSetting.word("antialiasing", Switch.ON).in(Group.PICTURE);
 
     /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */
     public static final GameSetting<Double> AUTO_FRAME_RATE =
@@ -133,7 +133,7 @@ public final class Settings {
             LANGUAGE,
             QUALITY,
             AUTO_FRAME_RATE,
-            EDGE_FILTER,
+            ANTIALIASING,
             WINDOW_MODE,
             RESOLUTION,
             VERTICAL_SYNC,

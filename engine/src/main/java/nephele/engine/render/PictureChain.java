@@ -1,5 +1,6 @@
 package nephele.engine.render;
 
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -15,19 +16,21 @@ final class PictureChain implements AutoCloseable {
     private final double resolution;
     private final RenderTarget[] before;
     private final PixelFormat[] formats;
+    private final boolean isLinear;
 
     /**
      * Creates a chain without pictures.
      *
      * @param passes number of passes after all views; without one, views are drawn into the final picture
      */
-    PictureChain(GlContext gl, RenderSettings settings, int passes) {
+    PictureChain(GlContext gl, FrameRequest request, int passes) {
         this.gl = gl;
-        resolution = settings.quality().pictureResolution();
+        resolution = request.quality().pictureResolution();
+        isLinear = request.output() == Output.HDR;
         before = new RenderTarget[passes];
         formats = new PixelFormat[passes];
         for (int i = 0; i < passes; i++) {
-            formats[i] = i == 0 && settings.output() == Output.HDR ? PixelFormat.RGBA16F : PixelFormat.RGBA8;
+            formats[i] = i == 0 && isLinear || request.storesDistance() ? PixelFormat.RGBA16F : PixelFormat.RGBA8;
         }
     }
 
@@ -63,7 +66,7 @@ final class PictureChain implements AutoCloseable {
 
     /** Returns the linear picture of the views. */
     RenderTarget radiance() {
-        if (before.length == 0 || before[0] == null || formats[0] != PixelFormat.RGBA16F) {
+        if (before.length == 0 || before[0] == null || !isLinear) {
             throw new IllegalStateException("radiance can be read after a frame with output HDR");
         }
         return before[0];

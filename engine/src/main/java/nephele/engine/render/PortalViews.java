@@ -99,9 +99,9 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Returns whether the eye has passed through a portal on its way from another view to the frame's main one. */
-    boolean isCrossedSince(View before) {
-        return tree.isCrossedSince(before);
+    /** Returns the view before, on this side of a portal that the eye has passed through since; see {@link ViewTree#followed}. */
+    View followed(View before) {
+        return tree.followed(before);
     }
 
     private PortalTechnique technique() {
@@ -174,8 +174,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         if (node.parent() == null || settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
-            PixelRectangle pixels = node.pixels();
-            gl.state().scissor(pixels.x(), pixels.y(), pixels.width(), pixels.height());
+            scissor(node.pixels(), 1, 1);
         }
     }
 
@@ -203,7 +202,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.height() / (double) picture.height());
         }
         Vec3 behind = environment.clearColour(node.view());
-        target.clearWithinScissor(behind.x(), behind.y(), behind.z());
+        target.clearWithinScissor(
+                behind.x(), behind.y(), behind.z(), resources.request().skyAlpha());
         drawPasses(node, frameState, target, pictureCopies);
         copy(target, own);
         gl.state().noScissor();
@@ -227,9 +227,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Sets the scissor to the pixels of a target of another size, and to one more on each side if it is smaller. */
+    /**
+     * Sets the scissor to the pixels of a target of another size, and to one more on each side if it is smaller, or if the
+     * picture may be shifted.
+     */
     private void scissor(PixelRectangle pixels, double acrossScale, double upScale) {
-        int margin = acrossScale < 1 ? 1 : 0;
+        int margin = acrossScale < 1 || resources.request().isAccumulated() ? 1 : 0;
         int x = (int) Math.floor(pixels.x() * acrossScale) - margin;
         int y = (int) Math.floor(pixels.y() * upScale) - margin;
         int right = (int) Math.ceil((pixels.x() + pixels.width()) * acrossScale) + margin;

@@ -38,6 +38,7 @@ import nephele.engine.render.pass.sky.AtmospherePass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
+import nephele.engine.render.pass.temporal.TemporalPass;
 import nephele.engine.render.pass.terrain.TerrainPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 import nephele.engine.render.pass.upscale.UpscalePass;
@@ -94,6 +95,7 @@ public final class RenderFeatures {
             // After everything else.
             ToneMapPass.FEATURE,
             EdgeFilterPass.FEATURE,
+            TemporalPass.FEATURE,
             UpscalePass.FEATURE);
 
     /** Shared resources that shaders of any pass may read, made before the passes. */

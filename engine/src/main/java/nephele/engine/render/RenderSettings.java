@@ -99,11 +99,14 @@ public record RenderSettings(
         return of(output, Quality.HIGH);
     }
 
-    /** Returns settings with this output and quality, with decoration, without the character. */
+    /**
+     * Returns settings with this output and quality, with decoration, without the character. Each frame is complete: none is
+     * averaged with others, or drawn with fewer pixels for that. Use {@link #with(Quality)} for the quality as it is.
+     */
     public static RenderSettings of(Output output, Quality quality) {
         return new RenderSettings(
                 output,
-                quality,
+                quality.inOneFrame(),
                 Culling.HIERARCHY,
                 Narrowing.ON,
                 Decoration.ON,

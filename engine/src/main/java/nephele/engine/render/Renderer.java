@@ -20,6 +20,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.resource.AmbientLight;
 import nephele.engine.render.resource.MeteredExposure;
+import nephele.engine.render.resource.PictureHistory;
 import nephele.engine.render.resource.RendererClouds;
 import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
@@ -54,6 +55,9 @@ public final class Renderer implements AutoCloseable {
     private SkyProbes probes;
     /** {@code null} if exposure is not metered. */
     private MeteredExposure exposure;
+
+    /** {@code null} if frames are not averaged. */
+    private PictureHistory history;
 
     private FrameContext frame;
     /** The main view of the frame before; {@code null} at first. */
@@ -155,8 +159,9 @@ public final class Renderer implements AutoCloseable {
         exposure = resources.get(MeteredExposure.RESOURCE);
         clouds = resources.ifMade(RendererClouds.RESOURCE);
         probes = resources.ifMade(AmbientLight.PROBES);
+        history = resources.ifMade(PictureHistory.RESOURCE);
         resources.forgetReplaced();
-        chain = new PictureChain(gl, settings, afterAll.size());
+        chain = new PictureChain(gl, resources.request(), afterAll.size());
         copies = new ViewCopies(gl, resources.targets(), passes.reads());
         multisampling = new Multisampling(gl, settings.quality().samples(), copies.areRead());
         if (!passes.isEmpty()) {
@@ -252,7 +257,7 @@ public final class Renderer implements AutoCloseable {
             portals.drawPictures(frameState, surface, drawn);
         }
         Vec3 behind = resources.environment().clearColour();
-        drawn.clear(behind.x(), behind.y(), behind.z());
+        drawn.clear(behind.x(), behind.y(), behind.z(), resources.request().skyAlpha());
     }
 
     /** Draws the views only to meter them: what shows values of the display in them needs the exposure. */
@@ -268,8 +273,13 @@ public final class Renderer implements AutoCloseable {
 
     private void begin(View view, FrameState frameState, RenderTarget surface) {
         ViewNode root = portals == null ? null : portals.choose(view, frameState, surface);
-        if (portals != null && viewBefore != null && portals.isCrossedSince(viewBefore)) {
+        View before = portals == null || viewBefore == null ? viewBefore : portals.followed(viewBefore);
+        if (before != viewBefore) {
             cut();
+        }
+        if (history != null) {
+            history.begin(before, view, surface);
+            resources.shift(history.acrossShift(), history.upShift());
         }
         viewBefore = view;
         if (visible != null) {
@@ -335,6 +345,9 @@ public final class Renderer implements AutoCloseable {
         if (exposure != null) {
             exposure.forget();
         }
+        if (history != null) {
+            history.forget();
+        }
         if (portals != null) {
             portals.forget();
         }
@@ -399,6 +412,11 @@ public final class Renderer implements AutoCloseable {
     /** Returns the exposure of the last frame in stops, if it is metered; waits for the GPU. */
     public OptionalDouble readMeteredStops() {
         return exposure == null ? OptionalDouble.empty() : OptionalDouble.of(exposure.readStops());
+    }
+
+    /** Returns the number of frames of a view at rest after which its picture is final. */
+    public int framesToSettle() {
+        return history == null ? 1 : 2 * PictureHistory.POINTS;
     }
 
     /** Returns the number of views through openings in the last frame. */

@@ -22,6 +22,11 @@ public final class Reprojection {
         rows[at + 3] = along.dot(from.eyeX() - to.eyeX(), from.eyeY() - to.eyeY(), from.eyeZ() - to.eyeZ());
     }
 
+    /** Returns the factors on x, y, w and 1 in a row of the map: 0 for x, 1 for y, 2 for w. */
+    public double factor(int row, int column) {
+        return rows[4 * row + column];
+    }
+
     public double x(double x, double y, double w) {
         return rows[0] * x + rows[1] * y + rows[2] * w + rows[3];
     }

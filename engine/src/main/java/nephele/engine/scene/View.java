@@ -150,6 +150,15 @@ public final class View {
         return back.dot(x, y, z);
     }
 
+    /** Returns true for a view from the same place in the same directions, with the same projection. */
+    public boolean isSameAs(View other) {
+        return eye.equals(other.eye)
+                && right.equals(other.right)
+                && up.equals(other.up)
+                && back.equals(other.back)
+                && projection.equals(other.projection);
+    }
+
     /**
      * Converts view coordinates to a world direction.
      *

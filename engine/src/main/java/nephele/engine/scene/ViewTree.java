@@ -40,6 +40,7 @@ public final class ViewTree {
     private final List<Opening> openings = new ArrayList<>();
     private Portals portals;
     private FrameState frameState;
+    private final View followed = View.reusable();
     private final Vector3d start = new Vector3d();
     private final Vector3d unfolded = new Vector3d();
     private int used;
@@ -134,9 +135,17 @@ public final class ViewTree {
         return pool.get(used++);
     }
 
-    /** Returns whether the eye has passed through a portal on its way from another view to the main one. */
-    public boolean isCrossedSince(View before) {
-        return crossed(before, root().view()) != null;
+    /**
+     * Returns another view from where its eye would be if it had passed through the same portal as the main one since, so
+     * that both see the same behind the same portals; the view itself if the eye has passed through none.
+     */
+    public View followed(View before) {
+        Opening crossed = crossed(before, root().view());
+        if (crossed == null) {
+            return before;
+        }
+        followed.setThrough(before, crossed, before.projection());
+        return followed;
     }
 
     /** Returns the main view. */

@@ -14,7 +14,7 @@ import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.RenderSettings.Deepest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.Quality.Antialiasing;
 import nephele.engine.render.frame.QualityField;
 import nephele.engine.scene.light.LevelLight;
 import nephele.engine.scene.light.bake.BakedLight;
@@ -75,7 +75,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
 
     /** Returns all render settings, from a quality in place of the preset. */
     public RenderSettings settings(Output output, Quality quality) {
-        var all = RenderSettings.of(output, quality);
+        var all = RenderSettings.of(output, quality).with(quality);
         for (var setting : settings.entrySet()) {
             if (!setting.getKey().equals(DEBUG)) {
                 all = changed(all, setting.getKey(), setting.getValue());
@@ -84,7 +84,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         return showsIds()
                 ? all.with(all.quality()
                                 .with("samples", 1)
-                                .with("edgeFilter", EdgeFilter.NONE)
+                                .with("antialiasing", Antialiasing.NONE)
                                 .with("pictureResolution", 1))
                         .with(Decoration.OFF)
                         .with(Deepest.MARK)

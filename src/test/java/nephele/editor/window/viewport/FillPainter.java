@@ -44,7 +44,7 @@ final class FillPainter implements SurfacePainter {
         target.clear(red, 0.2f, 0);
         // The upper half is blue.
         gl.state().scissor(0, target.height() / 2, target.width(), target.height());
-        target.clearWithinScissor(0, 0, 1);
+        target.clearWithinScissor(0, 0, 1, 1);
         gl.state().noScissor();
         note("painted");
         return () -> note("told");

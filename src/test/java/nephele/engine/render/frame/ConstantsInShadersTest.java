@@ -41,6 +41,7 @@ class ConstantsInShadersTest {
             "(double) divisor",
             "facing.ordinal(",
             "pixels",
+            "textureBias",
             "(double) ImpostorAtlas.texelsFor(pixels",
             "\"\"",
             "FontAtlas.WIDTH_TEXELS + \".0\"",

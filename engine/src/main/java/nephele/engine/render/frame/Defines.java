@@ -10,6 +10,9 @@ import nephele.engine.scene.ViewTree;
 
 /** The preprocessor definitions with which a pass compiles its shaders. */
 public final class Defines {
+    /** The level of detail of textures below that of the picture, in which several frames are averaged. */
+    private static final double FINER_LEVELS = 1;
+
     private final Map<String, String> values = new HashMap<>();
 
     /**
@@ -18,11 +21,17 @@ public final class Defines {
      */
     public static Defines of(LoadContext context) {
         Environment environment = context.scene().level().environment();
-        return new Defines()
-                .withIf(context.quality().samples() > 1, "MULTISAMPLED")
+        Defines defines = new Defines();
+        if (context.request().isAccumulated()) {
+            double resolution = context.quality().pictureResolution();
+            double textureBias = Math.log(resolution) / Math.log(2) - FINER_LEVELS;
+            defines.with("TEXTURE_BIAS", textureBias);
+        }
+        return defines.withIf(context.quality().samples() > 1, "MULTISAMPLED")
                 .with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
                 .withIf(context.request().metersExposure(), "EXPOSURE_METERED")
+                .withIf(context.request().storesDistance(), "DISTANCE_STORED")
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(
                         FogTransmittance.of(environment).isPresent() && !FogTransmittance.hidesSky(environment),

@@ -36,12 +36,12 @@ public record FrameRequest(
                 level, LightMaps.of(level, statics, light, quality, presence), output, quality, presence);
     }
 
-    /** Returns a request with quality HIGH, without a character. @param light {@code null} for none */
+    /** Returns a request of single frames with quality HIGH, without a character. @param light {@code null} for none */
     public static FrameRequest of(PlacedLevel placed, IndirectLight light, Output output) {
-        return of(placed.level(), placed.statics(), light, output, Quality.HIGH, CharacterPresence.NEVER);
+        return of(placed.level(), placed.statics(), light, output, Quality.HIGH.inOneFrame(), CharacterPresence.NEVER);
     }
 
-    /** Returns a request with quality HIGH, without a character and baked light. */
+    /** Returns a request of single frames with quality HIGH, without a character and baked light. */
     public static FrameRequest of(PlacedLevel placed, Output output) {
         return of(placed, null, output);
     }
@@ -72,6 +72,24 @@ public record FrameRequest(
                 || sky instanceof Sky.Gradient
                 || sky instanceof Sky.Skybox
                 || SunAndMoon.lightAir(level.environment());
+    }
+
+    /** Returns true if frames are averaged: they then see different points of each pixel. */
+    public boolean isAccumulated() {
+        return quality.antialiasing() == Quality.Antialiasing.TEMPORAL && quality.samples() == 1 && drawsSomething();
+    }
+
+    /**
+     * Returns true if the alpha of surfaces is the reciprocal of their distance along the view's axis, 0 for the sky and
+     * negative for what moves on its own; otherwise it is 1, or the share that is metered.
+     */
+    public boolean storesDistance() {
+        return isAccumulated() && !metersExposure();
+    }
+
+    /** Returns the alpha of pixels without a surface. */
+    public double skyAlpha() {
+        return storesDistance() ? 0 : 1;
     }
 
     /** Returns true if exposure is metered: for auto, from linear light. */

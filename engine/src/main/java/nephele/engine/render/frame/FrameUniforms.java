@@ -40,6 +40,7 @@ public final class FrameUniforms implements GlObject {
     private final UniformBuffer buffer;
     private final float[] values = new float[FLOATS];
     private final Matrix4d matrix = new Matrix4d();
+    private final Matrix4d shift = new Matrix4d();
     private final Vector3d direction = new Vector3d();
 
     /** @param environment stays the same in all frames */
@@ -93,10 +94,25 @@ public final class FrameUniforms implements GlObject {
      * @param exposure factor on radiance before the tone curve
      */
     public void upload(View view, double exposure) {
-        view.clipFromRelative(matrix).get(values);
+        upload(view, exposure, 0, 0);
+    }
+
+    /**
+     * Sets the view as {@link #upload(View, double)} does, moved in the picture.
+     *
+     * @param acrossShift of the picture, in halves of its width; {@code upShift} in halves of its height
+     */
+    void upload(View view, double exposure, double acrossShift, double upShift) {
+        view.clipFromRelative(matrix);
+        if (acrossShift != 0 || upShift != 0) {
+            matrix.mulLocal(shift.translation(acrossShift, upShift, 0));
+        }
+        matrix.get(values);
         put(16, view.direction(view.projection().tanHalfWidth(), 0, 0, direction));
         put(20, view.direction(0, view.projection().tanHalfHeight(), 0, direction));
         put(24, view.direction(0, 0, -1, direction));
+        values[19] = (float) acrossShift;
+        values[23] = (float) upShift;
         values[27] = view.isMirrored() ? -1 : 1;
         values[28] = (float) exposure;
         put(56, view.tint());

@@ -12,13 +12,15 @@ import nephele.engine.level.RecordCopy;
  */
 public record Quality(
         @QualitySetting(
-                        high = "1",
+                        high = "0.75",
                         low = "0.5",
                         medium = "0.7",
+                        ultra = "1",
                         least = 0.25,
                         title = "Resolution of the picture",
                         about = "How many pixels are drawn along each side, as a share of the window's; the rest is"
-                                + " interpolated. Menus, figures and prompts stay sharp.")
+                                + " interpolated, or follows from several frames. Menus, figures and prompts stay"
+                                + " sharp.")
                 double pictureResolution,
         @QualitySetting(
                         high = "sharp_bilinear",
@@ -103,11 +105,17 @@ public record Quality(
                                 + " several points of a pixel (multisampling). One point gives stairs.")
                 int samples,
         @QualitySetting(
-                        high = "none",
-                        title = "Filter of edges",
-                        about = "Stairs along edges are smoothed in the displayed picture, by the edges' shapes. It"
-                                + " costs a fraction of samples, and sees no detail that is smaller than a pixel.")
-                EdgeFilter edgeFilter,
+                        high = "temporal",
+                        low = "none",
+                        medium = "none",
+                        ultra = "none",
+                        title = "Antialiasing",
+                        about = "How edges are smoothed beside samples: each frame sees other points of a pixel, and"
+                                + " the frames are averaged, also to more pixels than one frame draws; or stairs"
+                                + " are smoothed in the displayed picture, by the edges' shapes, where detail"
+                                + " smaller than a pixel is lost. With several samples a pixel frames are not"
+                                + " averaged.")
+                Antialiasing antialiasing,
         @QualitySetting(
                         high = "stencil",
                         title = "How portals are drawn",
@@ -329,11 +337,13 @@ public record Quality(
         ON
     }
 
-    /** The filter that smooths edges of the displayed picture. */
-    public enum EdgeFilter {
+    /** The way in which edges of the displayed picture are smoothed. */
+    public enum Antialiasing {
         NONE,
-        /** Morphological antialiasing: coverage is estimated from the shapes of edges. */
-        MORPHOLOGICAL
+        /** Coverage is estimated from the shapes of edges. */
+        MORPHOLOGICAL,
+        /** Frames see different points of each pixel and are averaged; only with one sample a pixel. */
+        TEMPORAL
     }
 
     /** How many frames share the rays of a view through clouds; a ray that was not marched now shows an earlier frame. */
@@ -452,22 +462,33 @@ public record Quality(
     }
 
     /**
-     * Returns the preset as a graphics card draws it, where samples, anisotropy and filters cost little: 2, 4, 4 and 8
-     * samples a pixel, anisotropy 2, 4, 8 and 16.
+     * Returns the preset as a graphics card draws it, where pixels, samples, anisotropy and filters cost little: all pixels
+     * from high on, 2, 4, 4 and 8 samples a pixel in place of other antialiasing, anisotropy 2, 4, 8 and 16.
      */
     public Quality onHardware() {
         if (equals(LOW)) {
-            return onHardware(2, 2);
+            return onHardware(0.5, 2, 2);
         } else if (equals(MEDIUM)) {
-            return onHardware(4, 4);
+            return onHardware(0.7, 4, 4);
         } else if (equals(HIGH)) {
-            return onHardware(4, 8);
+            return onHardware(1, 4, 8);
         }
-        return equals(ULTRA) ? onHardware(8, 16) : this;
+        return equals(ULTRA) ? onHardware(1, 8, 16) : this;
     }
 
-    private Quality onHardware(int itsSamples, int itsAnisotropy) {
-        return with("samples", itsSamples).with("anisotropy", itsAnisotropy).with("upscale", Upscale.EDGE_ADAPTIVE);
+    private Quality onHardware(double resolution, int itsSamples, int itsAnisotropy) {
+        return with("pictureResolution", resolution)
+                .with("antialiasing", Antialiasing.NONE)
+                .with("samples", itsSamples)
+                .with("anisotropy", itsAnisotropy)
+                .with("upscale", Upscale.EDGE_ADAPTIVE);
+    }
+
+    /** Returns the quality of single frames that show what this one shows in several. */
+    public Quality inOneFrame() {
+        return antialiasing == Antialiasing.TEMPORAL
+                ? with("antialiasing", Antialiasing.NONE).with("pictureResolution", 1.0)
+                : this;
     }
 
     private static Quality preset(Preset preset) {

@@ -23,6 +23,8 @@ public final class RenderResources implements GlObject {
     private final List<Consumer<FrameContext>> followers = new ArrayList<>();
     private final List<Consumer<View>> inViews = new ArrayList<>();
     private FrameUniforms uniforms;
+    private double acrossShift;
+    private double upShift;
     private RenderResources replaced;
 
     /**
@@ -108,6 +110,12 @@ public final class RenderResources implements GlObject {
         }
     }
 
+    /** Moves all views of the frame in the picture, by halves of its width and height. */
+    public void shift(double across, double up) {
+        acrossShift = across;
+        upShift = up;
+    }
+
     /** Sets the view of the following draws. */
     public void setView(View view) {
         for (int i = 0; i < inViews.size(); i++) {
@@ -118,7 +126,7 @@ public final class RenderResources implements GlObject {
 
     /** Sets the numbers of the current view again after those of another one were drawn with. */
     public void resume(View view) {
-        uniforms().upload(view, environment.exposure());
+        uniforms().upload(view, environment.exposure(), acrossShift, upShift);
     }
 
     @Override

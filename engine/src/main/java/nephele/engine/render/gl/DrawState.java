@@ -88,7 +88,9 @@ public final class DrawState {
         OVER_UNMETERED,
         /** As {@link #ADD}, and reduces the destination's alpha by the source's. */
         ADD_UNMETERED,
-        /** Source with premultiplied alpha over destination, alpha included; for layers that are composited later. */
+        /** Source with premultiplied alpha over destination, which keeps its alpha. */
+        COVER,
+        /** As {@link #COVER}, alpha included; for layers that are composited later. */
         PREMULTIPLIED_OVER,
         /** As {@link #PREMULTIPLIED_OVER}, but the destination's alpha is the share of light that passes, at first 1. */
         PREMULTIPLIED_OVER_PASSING
@@ -294,6 +296,7 @@ public final class DrawState {
             case OVER_UNMETERED ->
                 glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
             case ADD_UNMETERED -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
+            case COVER -> glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
             case PREMULTIPLIED_OVER -> glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
             case PREMULTIPLIED_OVER_PASSING ->
                 glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);

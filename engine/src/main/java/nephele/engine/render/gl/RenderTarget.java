@@ -78,9 +78,21 @@ public final class RenderTarget implements GlObject {
     /** Creates a target of two colour textures, without depth: shaders write locations 0 and 1; draw state is of both. */
     public static RenderTarget pair(
             GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
+        return pair(gl, name, format, format, width, height, sampling);
+    }
+
+    /** Creates a pair as {@link #pair(GlContext, String, PixelFormat, int, int, Sampling)} does, of two formats. */
+    public static RenderTarget pair(
+            GlContext gl,
+            String name,
+            PixelFormat format,
+            PixelFormat secondFormat,
+            int width,
+            int height,
+            Sampling sampling) {
         Texture.Extent extent = Texture.Extent.flat(width, height);
         Texture first = new Texture(gl, name, Texture.Shape.FLAT, format, extent, sampling);
-        Texture second = new Texture(gl, name, Texture.Shape.FLAT, format, extent, sampling);
+        Texture second = new Texture(gl, name, Texture.Shape.FLAT, secondFormat, extent, sampling);
         GlHandle framebuffer = newFramebuffer(gl, name);
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, first.id(), 0);
@@ -253,27 +265,32 @@ public final class RenderTarget implements GlObject {
 
     /** Binds, and sets every colour to the given one, every depth to the farthest and every stencil to 0. */
     public void clear(double red, double green, double blue) {
-        gl.state().noScissor();
-        clearWithinScissor(red, green, blue);
+        clear(red, green, blue, 1);
     }
 
-    /** Clears as {@link #clear} does, to black with alpha 0, for layers that are composited later. */
+    /** Clears as {@link #clear(double, double, double)} does, with another alpha than 1. */
+    public void clear(double red, double green, double blue, double alpha) {
+        gl.state().noScissor();
+        clearWithinScissor(red, green, blue, alpha);
+    }
+
+    /** Clears as {@link #clear(double, double, double, double)} does, to black with alpha 0, for layers that are composited later. */
     public void clearTransparent() {
         gl.state().noScissor();
-        clearWithinScissor(0, 0, 0, 0);
+        clearTo(0, 0, 0, 0);
     }
 
-    /** Clears as {@link #clear} does, within the scissor. */
-    public void clearWithinScissor(double red, double green, double blue) {
-        clearWithinScissor((float) red, (float) green, (float) blue, 1);
+    /** Clears as {@link #clear(double, double, double, double)} does, within the scissor. */
+    public void clearWithinScissor(double red, double green, double blue, double alpha) {
+        clearTo((float) red, (float) green, (float) blue, (float) alpha);
     }
 
     /** Clears as {@link #clearTransparent} does, within the scissor. */
     public void clearTransparentWithinScissor() {
-        clearWithinScissor(0, 0, 0, 0);
+        clearTo(0, 0, 0, 0);
     }
 
-    private void clearWithinScissor(float red, float green, float blue, float alpha) {
+    private void clearTo(float red, float green, float blue, float alpha) {
         bind();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {

@@ -11,18 +11,34 @@
 #include "tone-mapping.glsl"
 #endif
 
+// Reads a picture of a surface as finely as the picture shows it: more finely than a frame, if several are averaged.
+#ifdef TEXTURE_BIAS
+#define detailed(pictures, place) texture(pictures, place, TEXTURE_BIAS)
+#else
+#define detailed(pictures, place) texture(pictures, place)
+#endif
+
 layout(location = 0) out vec4 pixel;
+
+// The alpha of surfaces and of the sky, see render.frame.FrameRequest.storesDistance.
+#ifdef DISTANCE_STORED
+#define SURFACE_ALPHA gl_FragCoord.w
+const float SKY_ALPHA = 0.0;
+#else
+const float SURFACE_ALPHA = 1.0;
+const float SKY_ALPHA = 1.0;
+#endif
 
 void writeRadiance(vec3 radiance) {
 #ifdef MIRRORS
     radiance *= mirrorTint.rgb;
 #endif
 #if defined(OUTPUT_PLAIN)
-    pixel = vec4(radiance, 1.0);
+    pixel = vec4(radiance, SURFACE_ALPHA);
 #elif defined(OUTPUT_HDR)
-    pixel = vec4(clamp(radiance, 0.0, 65504.0), 1.0);
+    pixel = vec4(clamp(radiance, 0.0, 65504.0), SURFACE_ALPHA);
 #else
-    pixel = vec4(toneMapped(radiance, exposureFactor()), 1.0);
+    pixel = vec4(toneMapped(radiance, exposureFactor()), SURFACE_ALPHA);
 #endif
 }
 
@@ -56,4 +72,5 @@ void writeSky(vec3 radiance, vec3 direction) {
     radiance = mix(fog.rgb, radiance, skyThroughFog(direction));
 #endif
     writeRadiance(radiance);
+    pixel.a = SKY_ALPHA;
 }

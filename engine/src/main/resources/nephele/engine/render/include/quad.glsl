@@ -22,7 +22,7 @@ void putCorner(vec3 centre, vec3 corners[4], vec2 corner, bool isOutside, float 
     }
     bool isQuad = isOutside && nearest > LEAST_AHEAD * length(centre);
     int number = corner.y < 0.0 ? (corner.x < 0.0 ? 0 : 1) : (corner.x < 0.0 ? 3 : 2);
-    vec3 seen = isQuad ? corners[number] : viewForward.xyz + corner.x * viewRight.xyz + corner.y * viewUp.xyz;
+    vec3 seen = isQuad ? corners[number] : shownDirection(corner);
     bool isBehind = dot(centre, viewForward.xyz) < -radius;
     if (isQuad) {
         gl_Position = clipFromRelative * vec4(seen, 1.0);

@@ -3,7 +3,6 @@ package nephele.lab.trade.subject;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import nephele.engine.bake.LightBake;
@@ -174,7 +173,7 @@ public final class BakedLightSubjects {
                     scene = baked(site.placed(), texelMetres);
                 }
                 Shot shot = ComparedValues.RADIANCE
-                        .judged(new Shot(site.level(), Output.HDR, "high", Map.of()))
+                        .judged(Shot.high(site.level(), Output.HDR))
                         .set("directLight", variant.direct())
                         .set("lightDirections", variant.directions());
                 renderers.add(LevelRenderer.load(

@@ -22,7 +22,7 @@ import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 
 /**
- * Multisampling and the edge filter, compared with the engine's own picture at 64 samples a pixel: displayed light of eight times the
+ * Multisampling and antialiasing, compared with the engine's own picture at 64 samples a pixel: displayed light of eight times the
  * pixels along each side, averaged. A still picture is judged, and the shimmer along a path.
  */
 public final class EdgeExperiment implements Experiment {
@@ -35,11 +35,14 @@ public final class EdgeExperiment implements Experiment {
                     + " pixels. RMSE at edges counts pixels at most one pixel from the edge of a surface. Both are in"
                     + " linear light, 1 is white; the advice regards FLIP alone";
     public static final Trade SAMPLES = trade("samples", PictureSetting.all("samples", 1, 2, 4, 8));
-    public static final Trade FILTER = trade(
-            "edgeFilter",
+    public static final Trade ANTIALIASING = trade(
+            "antialiasing",
             List.of(
                     filter("none"),
                     filter("morphological"),
+                    filter("temporal"),
+                    temporal("0.75"),
+                    temporal("0.6"),
                     new PictureSetting(
                             new Setting("4 samples", "instead of the filter"), shot -> shot.set("samples", "4"))));
 
@@ -90,7 +93,7 @@ public final class EdgeExperiment implements Experiment {
     private void drawExact() {
         if (exactStill == null) {
             try (var renderer =
-                    pictures.renderer(pictures.shot(0).set("samples", 1).set("edgeFilter", "none"))) {
+                    pictures.renderer(pictures.shot(0).set("samples", 1).set("antialiasing", "none"))) {
                 exactStill = still.displayed(site.gl(), renderer, EXACT_SIDE).get(0);
                 exactPath = path.displayed(site.gl(), renderer, EXACT_SIDE);
             }
@@ -151,8 +154,16 @@ public final class EdgeExperiment implements Experiment {
     /** Returns a filter's setting with one sample a pixel, also where the preset has more. */
     private static PictureSetting filter(String value) {
         return new PictureSetting(
-                PictureSetting.of("edgeFilter", value).setting(),
-                shot -> shot.set("edgeFilter", value).set("samples", 1));
+                PictureSetting.of("antialiasing", value).setting(),
+                shot -> shot.set("antialiasing", value).set("samples", 1));
+    }
+
+    /** Returns the setting of frames that are averaged, with a share of the pixels along a side. */
+    private static PictureSetting temporal(String resolution) {
+        PictureSetting whole = filter("temporal");
+        return new PictureSetting(
+                new Setting("temporal " + resolution, "of the pixels along each side"),
+                shot -> whole.change().apply(shot).set("pictureResolution", resolution));
     }
 
     private static Trade trade(String subject, List<PictureSetting> settings) {

@@ -14,6 +14,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.resource.PictureHistory;
 import nephele.engine.scene.Scene;
 import nephele.host.draw.QualityChoice;
 import nephele.lab.trade.Experiment;
@@ -22,8 +23,8 @@ import nephele.lab.trade.TradeSite;
 
 /** One renderer for each setting, drawing the same view in turn. */
 final class PictureExperiment implements Experiment {
-    /** A technique that reuses the previous picture is judged after so many frames. */
-    static final int SETTLING_FRAMES = 4;
+    /** A technique that reuses previous pictures is judged after so many frames. */
+    static final int SETTLING_FRAMES = PictureHistory.POINTS;
 
     private final TradeSite site;
     private final ComparedValues compared;
@@ -37,7 +38,7 @@ final class PictureExperiment implements Experiment {
     PictureExperiment(TradeSite site, List<PictureSetting> settings, ComparedValues compared) {
         this.site = site;
         this.compared = compared;
-        usual = new Shot(site.level(), QualityChoice.defaultOutput(site.level()), "high", Map.of());
+        usual = Shot.high(site.level(), QualityChoice.defaultOutput(site.level()));
         settings.forEach(setting -> shots.add(setting.change().apply(usual)));
         picture = RenderTarget.picture(
                 site.gl(),

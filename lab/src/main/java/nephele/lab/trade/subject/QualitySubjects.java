@@ -53,7 +53,7 @@ public final class QualitySubjects {
     public static final Trade RESOLUTION = PictureSubjects.setting(
             "pictureResolution",
             SEEN,
-            PictureSetting.all("pictureResolution", "0.4", "0.5", "0.6", "0.7", "0.85", "1"),
+            PictureSetting.all("pictureResolution", "0.4", "0.5", "0.6", "0.75", "0.85", "1"),
             ComparedValues.SEEN);
 
     private static final List<PictureSetting> SIZES_AND_FILTERS = Stream.concat(

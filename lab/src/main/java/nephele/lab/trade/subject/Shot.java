@@ -14,6 +14,11 @@ import nephele.host.draw.QualityChoice;
  * @param set changes to the preset, in the form of {@code --set}
  */
 record Shot(Level level, Output output, String preset, Map<String, String> set) {
+    /** Returns a shot of quality high in which each frame is complete in itself. */
+    static Shot high(Level level, Output output) {
+        return new Shot(level, output, "high", Map.of("antialiasing", "none", "pictureResolution", "1"));
+    }
+
     Shot set(String key, Object value) {
         Map<String, String> more = new LinkedHashMap<>(set);
         more.put(key, value.toString());

@@ -14,7 +14,7 @@ public final class Trades {
             QualitySubjects.PRESETS,
             QualitySubjects.RESOLUTION,
             QualitySubjects.UPSCALE,
-            EdgeExperiment.FILTER,
+            EdgeExperiment.ANTIALIASING,
             QualitySubjects.NORMAL_MAPS,
             QualitySubjects.BRDF,
             QualitySubjects.SHADOW_FILTER,

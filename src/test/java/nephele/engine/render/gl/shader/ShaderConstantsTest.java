@@ -77,7 +77,10 @@ class ShaderConstantsTest {
         + " cloud-sheet.glsl/MESH_DIVISIONS cloud-sheet.glsl/MESH_CURVE cloud-span.glsl/NEVER"
         + " puff-beam.glsl/BEAM_STEPS exit-curtain.glsl/VEIL exit-curtain.glsl/VEIL_COLOUR gun.vert/DEPTH_SHARE"
         + " gun.vert/FILL gun.vert/LIGHT_SHARE gun.vert/OUTLINE cuts.frag/THIN cuts.frag/STEEP cuts.frag/WITHIN_BLOCK"
-        + " cuts.frag/ASYMMETRY over.frag/NEAR over.frag/FAINT")
+        + " cuts.frag/ASYMMETRY over.frag/NEAR over.frag/FAINT output.glsl/SKY_ALPHA output.glsl/SURFACE_ALPHA"
+        + " temporal.frag/CODE_VALUE temporal.frag/FIRST_TRUSTED temporal.frag/LEFT_OF_MOTION"
+        + " temporal.frag/MOST_AT_REST temporal.frag/MOST_SPREAD temporal.frag/REJECTED temporal.frag/SETTLED"
+        + " temporal.frag/SLACK")
             .split(" "));
 
     /** Java constants that are something else than the shader's constant of their name and value. */

@@ -35,8 +35,8 @@ class PlantGlTest {
 
     private static final String SHAPE = "torus_1_0.45_24_12.3d";
     private static final double DIAMETER = 2 * 1.45;
-    private static final Quality MESHES = Quality.HIGH.with("impostorPixels", 0);
-    private static final Quality IMPOSTORS = Quality.HIGH.with("impostorPixels", BEGIN);
+    private static final Quality MESHES = Quality.HIGH.inOneFrame().with("impostorPixels", 0);
+    private static final Quality IMPOSTORS = Quality.HIGH.inOneFrame().with("impostorPixels", BEGIN);
 
     private final Offscreen offscreen = new Offscreen(SIZE, SIZE);
     private final TestAssets assets = new TestAssets();

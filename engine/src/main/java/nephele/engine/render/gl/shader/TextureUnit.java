@@ -35,6 +35,8 @@ public enum TextureUnit {
     OVERLAY_PICTURE(1, "overlayPicture"),
     /** The edge mask of the edge filter. */
     EDGES(1, "edges"),
+    /** The average of the frames before. */
+    HISTORY(1, "history"),
     /** The cells of a cloud, which is drawn after all surfaces. */
     CLOUD_DENSITY(1, "cloudDensity"),
     CLOUD_LIGHT(2, "cloudLight"),

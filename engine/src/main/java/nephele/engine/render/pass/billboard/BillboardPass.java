@@ -92,9 +92,7 @@ public final class BillboardPass implements Pass {
         gl = context.gl();
         light = context.get(SurfaceLight.RESOURCE);
         boolean isSampled = context.quality().samples() > 1;
-        blend = kind == Kind.BLENDED
-                ? Blend.PREMULTIPLIED_OVER
-                : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
+        blend = kind == Kind.BLENDED ? Blend.COVER : isSampled ? Blend.REPLACE_COVERED_SAMPLES : Blend.REPLACE;
         quads = BillboardQuads.of(context, kind);
         MeteredExposure.readInViews(context);
         Map<String, String> defines = defines(context);

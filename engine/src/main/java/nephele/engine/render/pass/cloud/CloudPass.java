@@ -346,7 +346,7 @@ public final class CloudPass implements Pass {
         if (mixed) {
             drawMixed(frame, layer);
         } else {
-            layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
+            layer.draw(Blend.COVER, triangle);
         }
     }
 
@@ -367,7 +367,7 @@ public final class CloudPass implements Pass {
         frame.surface().bind();
         int depth = frame.nested() == null ? 0 : frame.nested().openingsCounted(frame.node());
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
-        layer.draw(Blend.PREMULTIPLIED_OVER, triangle);
+        layer.draw(Blend.COVER, triangle);
         beforeSurfaces.drawOver(triangle);
         state.stencil(Stencil.EQUAL, depth);
         draw(CloudPixels.BEFORE_OWN, view, beforeSurfaces.grid(CloudPixels.BEFORE_OWN), farthest);
@@ -393,12 +393,14 @@ public final class CloudPass implements Pass {
      * @param grid of a layer; {@code null} for the view itself
      */
     private void draw(CloudPixels pixels, View view, CloudCanvas.Grid grid, double farthest) {
+        boolean isView = pixels == CloudPixels.ALL || pixels == CloudPixels.BEFORE_OWN;
+        Blend blend = isView ? Blend.COVER : Blend.PREMULTIPLIED_OVER;
         canvas.begin(pixels, view, levelClouds.current().focus(), grid);
         for (int i = 0; i < entries.size(); i++) {
             Entry entry = entries.get(i);
             CloudDrawing drawing = entry.drawing(pixels);
             if (drawing != null && entry.isDrawn() && entry.cloud.distance(view.eye()) < farthest) {
-                gl.state().set(Depth.OFF, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+                gl.state().set(Depth.OFF, blend, Cull.NONE);
                 drawing.draw(canvas);
             }
         }

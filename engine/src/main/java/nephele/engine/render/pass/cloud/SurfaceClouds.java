@@ -130,7 +130,7 @@ final class SurfaceClouds implements GlObject {
 
     /** Draws them over the surfaces of the bound view, but for those clearly between the cuts of their block. */
     void drawOver(FullScreenTriangle triangle) {
-        gl.state().set(Depth.GREATER, Blend.PREMULTIPLIED_OVER, Cull.NONE);
+        gl.state().set(Depth.GREATER, Blend.COVER, Cull.NONE);
         over.use();
         joined.colour().bind(TextureUnit.BEFORE_NEAREST);
         joined.second().bind(TextureUnit.BEFORE_FARTHEST);

@@ -8,7 +8,7 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.Quality.Antialiasing;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
@@ -49,9 +49,9 @@ public final class EdgeFilterPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return request.quality().edgeFilter() == EdgeFilter.NONE || !request.drawsSomething()
+        return request.quality().antialiasing() != Antialiasing.MORPHOLOGICAL || !request.drawsSomething()
                 ? List.of()
-                : List.of(new Required("quality: edgeFilter", EdgeFilterPass::new));
+                : List.of(new Required("quality: antialiasing", EdgeFilterPass::new));
     }
 
     @Override

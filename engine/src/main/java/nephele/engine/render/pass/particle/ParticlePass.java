@@ -151,7 +151,7 @@ public final class ParticlePass implements Pass {
             put(all.numbers(), ParticleArrays.STRIDE * order.at(i), texels, FLOATS * i);
         }
         frame.surface().bind();
-        gl.state().set(Depth.LESS_OR_EQUAL, Blend.PREMULTIPLIED_OVER, Cull.NONE, frame.clipDistances());
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.COVER, Cull.NONE, frame.clipDistances());
         reads.bind(targets);
         program.use();
         double height = 2 * frame.view().projection().tanHalfHeight();

@@ -56,8 +56,11 @@ public final class PortalPass implements Pass {
     /** True if the sky covers every pixel, so that the clear colour is never visible. */
     private final boolean skyCovers;
 
+    private final double skyAlpha;
+
     private PortalPass(LoadContext context) {
         gl = context.gl();
+        skyAlpha = context.request().skyAlpha();
         nothing = nothing(context);
         colour = program(context, "colour.frag", uniforms -> uniforms.vector4("colour"));
         picture = program(context, "picture.frag", uniforms -> uniforms);
@@ -159,7 +162,7 @@ public final class PortalPass implements Pass {
         state.depthOf(DepthOf.FARTHEST);
         state.stencil(Stencil.EQUAL, depth + 1);
         if (!skyCovers) {
-            colour.uniforms().set(surroundings.clearColour(child.view()), 1);
+            colour.uniforms().set(surroundings.clearColour(child.view()), skyAlpha);
         }
         draw(
                 child,

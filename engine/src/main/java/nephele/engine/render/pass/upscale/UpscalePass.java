@@ -16,7 +16,8 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
 
 /**
- * Scales the picture up; exists only if quality draws fewer pixels than the final picture has.
+ * Scales the picture up; exists only if quality draws fewer pixels than the final picture has, and does not average frames,
+ * which scales too.
  */
 public final class UpscalePass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("upscale", Stage.AFTER_ALL, UpscalePass::requiredBy);
@@ -38,7 +39,7 @@ public final class UpscalePass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         double resolution = request.quality().pictureResolution();
-        return resolution == 1 || !request.drawsSomething()
+        return resolution == 1 || request.isAccumulated() || !request.drawsSomething()
                 ? List.of()
                 : List.of(new Required("quality: pictureResolution " + resolution, UpscalePass::new));
     }

@@ -5,7 +5,7 @@ out vec3 direction; // not of unit length; its part along the view's axis is 1
 
 void main() {
     vec2 corner = fullScreenCorner();
-    direction = viewForward.xyz + corner.x * viewRight.xyz + corner.y * viewUp.xyz;
+    direction = shownDirection(corner);
 #ifdef FARTHEST
     gl_Position = vec4(corner, 1.0, 1.0);
 #else

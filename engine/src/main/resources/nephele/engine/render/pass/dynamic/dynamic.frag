@@ -63,10 +63,10 @@ void main() {
     vec2 st = textureAt(int(instanceTexel(instance, 2).w), n, size, material.layers.z);
 #endif
 #ifdef TEXTURED
-    s.baseColour *= texture(colours, vec3(st, material.layers.x)).rgb;
+    s.baseColour *= detailed(colours, vec3(st, material.layers.x)).rgb;
 #endif
 #ifdef NORMAL_MAP
-    vec4 bumps = texture(normals, vec3(st, material.layers.y));
+    vec4 bumps = detailed(normals, vec3(st, material.layers.y));
     vec3 across = textureAcross(n);
     s.normal = turned(turn, mappedNormal(bumps.rgb, n, across, cross(n, across)));
     roughness *= bumps.a;
@@ -99,6 +99,9 @@ void main() {
 #endif
 #endif
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
+#ifdef DISTANCE_STORED
+    pixel.a = -gl_FragCoord.w; // it may move
+#endif
 #ifdef SEE_THROUGH
     float towardsEye = dot(s.faceNormal, -normalize(relativePosition));
     float opacity = heldOpacity(int(instanceTexel(instance, 2).w), inPart, n, size.xyz, towardsEye);

@@ -98,7 +98,11 @@ void main() {
     radiance *= mirrorTint.rgb;
 #endif
 #ifdef OUTPUT_DIRECT
-    pixel = vec4(toneMapped(radianceOfPixel(texelFetch(viewColour, at, 0).rgb) + radiance, exposureFactor()), 1.0);
+    vec4 stored = texelFetch(viewColour, at, 0);
+    pixel = vec4(toneMapped(radianceOfPixel(stored.rgb) + radiance, exposureFactor()), 1.0);
+#ifdef DISTANCE_STORED
+    pixel.a = stored.a;
+#endif
 #else
     pixel = vec4(radiance, 1.0);
 #endif

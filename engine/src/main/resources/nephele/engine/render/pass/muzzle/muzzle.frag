@@ -20,7 +20,7 @@ const float FAR = 1e4; // metres, in place of the sky's distance
 
 vec3 placeAt(ivec2 at, float depth) {
     vec2 corner = 2.0 * (vec2(at) + 0.5) / vec2(textureSize(viewDepth, 0)) - 1.0;
-    vec3 direction = viewForward.xyz + corner.x * viewRight.xyz + corner.y * viewUp.xyz;
+    vec3 direction = shownDirection(corner);
     return min(axisMetres(depth), FAR) / dot(direction, viewForward.xyz) * direction;
 }
 

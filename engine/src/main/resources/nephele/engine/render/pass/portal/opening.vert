@@ -1,4 +1,6 @@
 // A corner of an opening, placed by render.resource.OpeningMesh.
+#include "frame.glsl"
+
 layout(location = 0) in vec4 clipPosition;
 layout(location = 1) in vec3 lookUp;
 
@@ -8,5 +10,5 @@ invariant gl_Position;
 
 void main() {
     picturePosition = lookUp;
-    gl_Position = clipPosition;
+    gl_Position = shifted(clipPosition);
 }

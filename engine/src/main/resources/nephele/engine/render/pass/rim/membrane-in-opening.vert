@@ -17,5 +17,5 @@ void main() {
     relativePosition = clipPosition.w * viewForward.xyz + clipPosition.x * viewRight.xyz + clipPosition.y * viewUp.xyz;
     vec3 fromCentre = relativePosition - centreAndOpenness.xyz;
     areaPlace = vec2(dot(fromCentre, portalRight), dot(fromCentre, portalUp));
-    gl_Position = clipPosition;
+    gl_Position = shifted(clipPosition);
 }

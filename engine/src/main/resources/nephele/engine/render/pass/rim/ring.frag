@@ -60,7 +60,7 @@ void main() {
 #ifdef EXPOSURE_METERED
     const float whole = 0.0; // replaces the pixel: no share of it is metered
 #else
-    const float whole = 1.0;
+    float whole = SURFACE_ALPHA;
 #endif
     pixel.a = isGhost ? tintAndOpacity.a * strip * (0.6 + 0.4 * lit) : whole;
 }

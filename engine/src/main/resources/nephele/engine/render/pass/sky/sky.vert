@@ -5,6 +5,6 @@ out vec3 direction; // not of unit length
 
 void main() {
     vec2 corner = fullScreenCorner();
-    direction = viewForward.xyz + corner.x * viewRight.xyz + corner.y * viewUp.xyz;
+    direction = shownDirection(corner);
     gl_Position = vec4(corner, 1.0, 1.0);
 }

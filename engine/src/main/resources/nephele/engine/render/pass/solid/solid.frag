@@ -95,7 +95,7 @@ vec3 litRadiance(vec3 texel) {
 #endif
     float roughness = material.baseColourRoughness.a;
 #ifdef NORMAL_MAP
-    vec4 detail = texture(normals, vec3(st, layers.y));
+    vec4 detail = detailed(normals, vec3(st, layers.y));
 #if defined(MODEL) || defined(TURNED_TEXTURE)
     s.normal = growthMappedNormal(detail.rgb, s.normal);
 #else
@@ -140,7 +140,7 @@ vec3 litRadiance(vec3 texel) {
 void main() {
     vec3 texel = vec3(1.0);
 #ifdef TEXTURED
-    texel = texture(colours, vec3(st, layers.x)).rgb;
+    texel = detailed(colours, vec3(st, layers.x)).rgb;
 #endif
 #ifdef FLAT_LIGHT
     vec3 radiance = reflectedPerAlbedo * texel;

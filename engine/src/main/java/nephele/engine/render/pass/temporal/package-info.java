@@ -1,0 +1,2 @@
+/** Averages frames that see different points of each pixel. */
+package nephele.engine.render.pass.temporal;
